@@ -15,8 +15,8 @@ void white_noise_against_exact(benchmark::State& state) {
   const auto options = tests::elastic_white_noise_exponent(
       problem, static_cast<int>(state.range(3)), static_cast<int>(state.range(1)),
       static_cast<int>(state.range(2)));
-  fd_fpk::Result result;
-  for (auto _ : state) result = fd_fpk::solve(problem, options);
+  fd_fpk::FiniteVolumeResult result;
+  for (auto _ : state) result = fd_fpk::solve_stationary_density(problem, options);
   if (!result.solution.density) {
     state.SkipWithError(result.solution.reason.c_str());
     return;

@@ -18,7 +18,7 @@ inline problem::Problem paper_case(long number) {
 
 /// Options of a direct solution of kf on about `unknowns` cells, in the automatic box, with the
 /// ratio of 40 x 88 cells.
-inline fd_fpk::Options options_for(long unknowns) {
+inline fd_fpk::FiniteVolumeOptions options_for(long unknowns) {
   const int nx = static_cast<int>(std::lround(std::sqrt(static_cast<double>(unknowns) / 2.2)));
   return {
       .stepper = fd_fpk::StationarySolver::direct, .nx = nx, .nv = 2 * static_cast<int>(1.1 * nx)};
@@ -27,16 +27,16 @@ inline fd_fpk::Options options_for(long unknowns) {
 /// Case 1 on a grid of about `unknowns` cells.
 struct CaseOnGrid {
   problem::Problem problem = paper_case(1);
-  fd_fpk::Options options;
-  fd_fpk::Discretisation discretisation;
+  fd_fpk::FiniteVolumeOptions options;
+  fd_fpk::PlaneDiscretisation discretisation;
 
   explicit CaseOnGrid(long unknowns)
       : options(options_for(unknowns)),
-        discretisation(
-            fd_fpk::discretise(problem, options, fd_fpk::initial_box(problem, options))) {}
+        discretisation(fd_fpk::discretise_density_equation(
+            problem, options, fd_fpk::initial_box(problem, options))) {}
 
-  const fd_fpk::Grid& grid() const { return discretisation.grid; }
-  const fd_fpk::Excitation& excitation() const { return discretisation.excitation; }
+  const fd_fpk::PhasePlaneGrid& grid() const { return discretisation.grid; }
+  const fd_fpk::DiscreteExcitation& excitation() const { return discretisation.excitation; }
   fd_fpk::FokkerPlanckOperator op() const {
     return fd_fpk::fokker_planck_operator(problem.system, excitation(), options.impact, grid(),
                                           fd_fpk::transport_order(options));

@@ -14,9 +14,10 @@ using epc::DensityEquation;
 // distance from order n-2.
 void solve_gaussian(benchmark::State& state, DensityEquation equation) {
   const auto problem = problem::load_case("case" + std::to_string(state.range(0)));
-  const epc::Options options{.order = static_cast<int>(state.range(1)), .equation = equation};
+  const epc::ClosureOptions options{.order = static_cast<int>(state.range(1)),
+                                    .equation = equation};
   int iterations = 0;
-  for (auto _ : state) iterations = epc::solve(problem, options).summary.iterations;
+  for (auto _ : state) iterations = epc::solve_closure(problem, options).summary.iterations;
   state.counters["newton_steps"] = iterations;
 }
 BENCHMARK_CAPTURE(solve_gaussian, km4, DensityEquation::km4)
@@ -29,11 +30,11 @@ BENCHMARK_CAPTURE(solve_gaussian, kf, DensityEquation::kf)
 // Without an initial guess: solves all orders from 2 on.
 void solve_moment(benchmark::State& state) {
   const auto problem = problem::load_case("case" + std::to_string(state.range(0)));
-  const epc::Options options{.order = static_cast<int>(state.range(1)),
-                             .formulation = epc::Formulation::moment,
-                             .equation = DensityEquation::kf};
+  const epc::ClosureOptions options{.order = static_cast<int>(state.range(1)),
+                                    .formulation = epc::Formulation::moment,
+                                    .equation = DensityEquation::kf};
   int iterations = 0;
-  for (auto _ : state) iterations = epc::solve(problem, options).summary.iterations;
+  for (auto _ : state) iterations = epc::solve_closure(problem, options).summary.iterations;
   state.counters["newton_steps"] = iterations;
 }
 BENCHMARK(solve_moment)

@@ -23,12 +23,13 @@ using Integer = int;
 /// sparsity pattern.
 SparseColumnMatrix low_order_matrix(const CaseOnGrid& problem_on_grid) {
   const auto& impulses = problem_on_grid.problem.impulses;
-  const Excitation weak{.drift = 0, .diffusion = impulses.rate_times_moment(2) / 8, .exchange = {}};
+  const DiscreteExcitation weak{
+      .drift = 0, .diffusion = impulses.rate_times_moment(2) / 8, .exchange = {}};
   SparseColumnMatrix unit(problem_on_grid.grid().size(), problem_on_grid.grid().size());
   unit.setIdentity();
   return unit - 0.1 * fokker_planck_operator(problem_on_grid.problem.system, weak,
                                              problem_on_grid.options.impact, problem_on_grid.grid(),
-                                             3, ProductAveraging::lumped)
+                                             3, CoefficientProductAveraging::lumped)
                           .local;
 }
 
@@ -214,7 +215,7 @@ void null_vector_by_gmres(benchmark::State& state) {
       initial_gaussian(problem_on_grid.grid(), problem::motion_scales(problem_on_grid.problem));
   for (auto _ : state) {
     Preconditioner preconditioner = problem_on_grid.preconditioner();
-    const NullVector null = find_null_vector(op, preconditioner, start);
+    const NullVectorResult null = find_null_vector(op, preconditioner, start);
     state.counters["krylov_iterations"] = static_cast<double>(null.iterations);
     state.counters["factor_entries"] = static_cast<double>(preconditioner.factor_entry_count());
   }
@@ -231,7 +232,7 @@ void null_vector_by_whole_factors(benchmark::State& state) {
   const double frequency =
       std::sqrt(problem::equivalent_linearisation(problem_on_grid.problem).stiffness);
   for (auto _ : state) {
-    const NullVector null = find_null_vector_by_inverse_iteration(op, start, frequency);
+    const NullVectorResult null = find_null_vector_by_inverse_iteration(op, start, frequency);
     if (!null.averages) state.SkipWithError(null.failure.c_str());
   }
 }

@@ -20,22 +20,22 @@ double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC
 void growth(benchmark::State& state) {
   static double unknowns_before = 0, seconds_before = 0;
   const auto problem = paper_case(1);
-  Options options = options_for(state.range(0));
-  const Box box = initial_box(problem, options);
+  FiniteVolumeOptions options = options_for(state.range(0));
+  const PhasePlaneBox box = initial_box(problem, options);
   options.x1_max = box.x1_max;
   options.x2_max = box.x2_max;
-  Result result;
+  FiniteVolumeResult result;
   double seconds = HUGE_VAL;
   for (auto _ : state) {
     const double begin = cpu_seconds();
-    result = solve(problem, options);
+    result = solve_stationary_density(problem, options);
     seconds = std::min(seconds, cpu_seconds() - begin);
   }
   if (result.solution.status != transform::Status::ok) {
     state.SkipWithError(result.solution.reason.c_str());
     return;
   }
-  const Summary& summary = result.summary;
+  const FiniteVolumeSummary& summary = result.summary;
   const double unknowns = summary.nx * summary.nv;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -11,7 +11,7 @@ using namespace fd_fpk;
 void jump_matrix_of_a_line(benchmark::State& state) {
   const auto problem = paper_case(1);
   const int cells = static_cast<int>(state.range(0));
-  const Axis axis = Axis::with_uniform_cells(-5, 10.0 / cells, cells);
+  const GridAxis axis = GridAxis::with_uniform_cells(-5, 10.0 / cells, cells);
   for (auto _ : state)
     benchmark::DoNotOptimize(jump_matrix(axis, problem.impulses.amplitude_law()));
 }

@@ -88,8 +88,9 @@ struct MethodResult {
   double max_l1() const { return std::max(y_l1, ydot_l1); }
 };
 
-mcs::Options reference_options(const problem::Problem& problem, const compare::ComparisonAxes& axes,
-                               const Settings& settings) {
+mcs::SimulationOptions reference_options(const problem::Problem& problem,
+                                         const compare::ComparisonAxes& axes,
+                                         const Settings& settings) {
   const auto scales = problem::motion_scales(problem);
   const double decay_times = 1.6e6 / scales.slowest_decay_rate;
   const double events = problem.impulses.arrival_rate() + scales.frequency;
@@ -131,9 +132,10 @@ SimulationReference simulation_reference(const problem::Problem& problem,
   }
   const auto solution = methods::solve_in_wall_coordinates(
       problem, {axes, {}}, [](const problem::Problem&) { return std::string(); },
-      [&](const problem::Problem& transformed, const methods::SolveContext& transformed_context) {
-        return mcs::solve(transformed,
-                          reference_options(transformed, transformed_context.axes, settings))
+      [&](const problem::Problem& transformed,
+          const methods::SolverInputContext& transformed_context) {
+        return mcs::simulate_stationary_density(
+                   transformed, reference_options(transformed, transformed_context.axes, settings))
             .solution;
       });
   if (!solution.sampling)
@@ -178,7 +180,7 @@ MethodResult compare_with_reference(const SimulationReference& simulation_refere
 void print_parameters(const problem::Problem& problem) {
   fmt::print("{}: {:.3g} impulses per decay time, {}\n", problem.name,
              problem::impulses_per_decay_time(problem, problem::motion_scales(problem)),
-             problem::parameters_text(problem));
+             problem::non_default_parameters_text(problem));
   std::fflush(stdout);
 }
 
@@ -300,7 +302,7 @@ problem::Problem make_problem(int number, const Settings& settings) {
   return settings.family ? tests::random_oscillator(seed) : tests::random_problem(seed);
 }
 
-const mcs::Options kTails{.tails = true};
+const mcs::SimulationOptions kTails{.tails = true};
 
 bool supports_tails(const problem::Problem& problem) {
   return mcs::unsupported_reason(problem, kTails).empty() &&
@@ -324,11 +326,12 @@ void solve_tails(const problem::Problem& problem) {
   const auto solution = methods::solve_in_wall_coordinates(
       problem, {compare::comparison_axes(problem), {}},
       [](const problem::Problem&) { return std::string(); },
-      [&](const problem::Problem& transformed, const methods::SolveContext& transformed_context) {
-        mcs::Options options = kTails;
+      [&](const problem::Problem& transformed,
+          const methods::SolverInputContext& transformed_context) {
+        mcs::SimulationOptions options = kTails;
         options.y_edges = transformed_context.axes.y_edges;
         options.v_edges = transformed_context.axes.v_edges;
-        return mcs::solve(transformed, options).solution;
+        return mcs::simulate_stationary_density(transformed, options).solution;
       });
   fmt::print("  {:14}", name(solution.status));
   for (const auto& [variable, marginal] : solution.estimated_marginals) {
@@ -373,7 +376,7 @@ void print_tails(const Settings& settings) {
     most_megabytes = std::max(most_megabytes, megabytes);
     longest = std::max(longest, seconds);
     fmt::print("{:12} {:6.1f} s {:6.1f} s processor time {:7.0f} MB {}\n", problem.name, seconds,
-               processor, megabytes, problem::parameters_text(problem));
+               processor, megabytes, problem::non_default_parameters_text(problem));
   }
   fmt::print("{} of {} problems have tails: at most {:.1f} s and {:.0f} MB\n", solved,
              number - settings.first, longest, most_megabytes);
@@ -387,7 +390,7 @@ int run(const Settings& settings) {
   const auto registry = methods::builtin_registry();
   base::Values options;
   if (!settings.transport.empty()) options.push_back({"transport", settings.transport});
-  const auto methods = registry.select_methods(settings.methods, options);
+  const auto methods = registry.methods_selected_by_list(settings.methods, options);
   if (!settings.keep.empty()) std::filesystem::create_directories(settings.keep);
   std::vector<problem::Problem> problems;
   std::vector<SimulationReference> references;
@@ -405,8 +408,8 @@ int run(const Settings& settings) {
     base::parallel_for(methods.size(), 0, [&](std::size_t m) {
       solutions[m] = methods::solve_with_method(methods[m], problem, {axes, {}});
     });
-    // Only densities with status ok need a reference. The motion of a formula without such a density
-    // may escape to amplitudes that take hours to simulate.
+    // Only densities with status ok need a reference. The motion of a formula without such a
+    // density may escape to amplitudes that take hours to simulate.
     const bool is_any_ok = std::ranges::any_of(
         solutions, [](const Solution& s) { return s.status == transform::Status::ok; });
     references.push_back(is_any_ok || !settings.formulas

@@ -57,12 +57,13 @@ std::optional<Solution> reference_solution(const problem::Problem& problem) {
   for (const auto transport : {std::optional<fd_fpk::TransportScheme>(),
                                std::optional(fd_fpk::TransportScheme::characteristics)}) {
     try {
-      auto solution = fd_fpk::solve(problem, {.stepper = fd_fpk::StationarySolver::direct,
-                                              .transport = transport,
-                                              .refinement = kFiner,
-                                              .max_seconds = kSeconds})
-                          .solution;
-      if (solution.is_ok()) return solution;
+      auto solution =
+          fd_fpk::solve_stationary_density(problem, {.stepper = fd_fpk::StationarySolver::direct,
+                                                     .transport = transport,
+                                                     .refinement = kFiner,
+                                                     .max_seconds = kSeconds})
+              .solution;
+      if (solution.has_status_ok()) return solution;
     } catch (const std::exception&) {  // this transport does not support the problem
     }
   }
@@ -103,14 +104,14 @@ void add(const problem::Problem& problem, const Solution& solution,
   constexpr double kSafetyFactor = 2;
   std::string text;
   const bool states = transform::has_error_estimate(solution);
-  if (solution.is_ok()) {
+  if (solution.has_status_ok()) {
     ++tally.ok;
     if (!states) ++tally.without_estimate;
   }
   if (solution.error) {
     text = fmt::format("{:.1e} {:.1e}", solution.error->y_l1, solution.error->ydot_l1);
   }
-  if (solution.is_ok() && states && reference_solution && solution.error &&
+  if (solution.has_status_ok() && states && reference_solution && solution.error &&
       solves_the_full_problem(solution)) {
     const Comparison found = judged(problem, solution, *reference_solution, axes);
     ++tally.judged;
@@ -128,7 +129,7 @@ void add(const problem::Problem& problem, const Solution& solution,
 int run(const Settings& settings) {
   const auto registry = methods::builtin_registry();
   const auto methods =
-      registry.select_methods(settings.methods, {{"max_seconds", settings.max_seconds}});
+      registry.methods_selected_by_list(settings.methods, {{"max_seconds", settings.max_seconds}});
   std::vector<MethodStatistics> tallies(methods.size());
   int problems = 0;
   for (const auto& problem : settings.scan.problems()) {

@@ -11,9 +11,10 @@ using namespace fd_fpk;
 // The paper's case `range(0)` for the equation kf with default options, as in `fpkcheck fd`.
 void solve_case(benchmark::State& state, StationarySolver stepper) {
   const auto problem = paper_case(state.range(0));
-  Summary last;
+  FiniteVolumeSummary last;
   for (auto _ : state) {
-    const Result result = fd_fpk::solve(problem, {.stepper = stepper});
+    const FiniteVolumeResult result =
+        fd_fpk::solve_stationary_density(problem, {.stepper = stepper});
     if (result.solution.status != transform::Status::ok) {
       state.SkipWithError(result.solution.reason.c_str());
       break;

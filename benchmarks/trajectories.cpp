@@ -26,17 +26,17 @@ constexpr double kRungeKuttaStep = 0.05;
 constexpr double kStep = 0.9;  // longest flight of the simulation, in radians
 constexpr int kStreams = 8;    // number of streams per thread
 
-using mcs::State;
+using mcs::OscillatorState;
 
-State slope(const problem::System& s, const State& x) {
+OscillatorState slope(const problem::System& s, const OscillatorState& x) {
   return {x.v, -(s.damping() * x.v + s.restoring_force()(x.y))};
 }
 
-State runge_kutta(const problem::System& s, const State& x, double h) {
-  const State a = slope(s, x);
-  const State b = slope(s, {x.y + h / 2 * a.y, x.v + h / 2 * a.v});
-  const State c = slope(s, {x.y + h / 2 * b.y, x.v + h / 2 * b.v});
-  const State d = slope(s, {x.y + h * c.y, x.v + h * c.v});
+OscillatorState runge_kutta(const problem::System& s, const OscillatorState& x, double h) {
+  const OscillatorState a = slope(s, x);
+  const OscillatorState b = slope(s, {x.y + h / 2 * a.y, x.v + h / 2 * a.v});
+  const OscillatorState c = slope(s, {x.y + h / 2 * b.y, x.v + h / 2 * b.v});
+  const OscillatorState d = slope(s, {x.y + h * c.y, x.v + h * c.v});
   return {x.y + h / 6 * (a.y + 2 * b.y + 2 * c.y + d.y),
           x.v + h / 6 * (a.v + 2 * b.v + 2 * c.v + d.v)};
 }
@@ -48,11 +48,11 @@ double runge_kutta_loop(const problem::Problem& problem, double time, unsigned s
   std::exponential_distribution<double> waiting(problem.impulses.arrival_rate());
   std::normal_distribution<double> amplitude(problem.impulses.amplitude_law().mean(),
                                              problem.impulses.amplitude_law().deviation());
-  State x{0.5, 0};
+  OscillatorState x{0.5, 0};
   double time_to_impulse = waiting(engine), sum = 0;
   for (double t = 0; t < time;) {
     double h = std::min(kRungeKuttaStep, time_to_impulse);
-    State end = runge_kutta(problem.system, x, h);
+    OscillatorState end = runge_kutta(problem.system, x, h);
     if (end.y < 0) {
       // Newton's method for the length of the step that ends at the wall.
       h *= x.y / (x.y - end.y);
@@ -90,32 +90,32 @@ struct SimulationResult {
 SimulationResult simulation_loop(const problem::Problem& problem, double time, unsigned seed,
                                  const simd::SimdVariant& lanes, bool records) {
   const mcs::BinFinder y(uniform_edges(0, 5)), v(uniform_edges(-5, 5));
-  const mcs::MotionParameters motion{
+  const mcs::StreamMotionParameters motion{
       .oscillator = mcs::make_oscillator(problem, problem::motion_scales(problem)),
       .step = kStep,
       .sampling_interval = 0.23,  // about 25 samples per period
       .y_bins = &y,
       .v_bins = &v,
       .records = records};
-  std::deque<mcs::Stream> streams;
-  std::vector<mcs::Stream*> pointers;
+  std::deque<mcs::TrajectoryStream> streams;
+  std::vector<mcs::TrajectoryStream*> pointers;
   for (unsigned s = 0; s < kStreams; ++s) {
     mcs::ImpulseSource source(problem.impulses, seed, s);
     const mcs::Impulse first = source.next_impulse();
     streams.push_back({.branch = {.y = 0.5,
                                   .v = 0,
-                                  .time_to_impulse = first.waiting,
+                                  .time_to_impulse = first.waiting_time,
                                   .amplitude = first.amplitude,
                                   .time_to_sample = 0.1,
                                   .remaining = 0},
                        .source = source,
-                       .record = mcs::StreamStatistics(y, v)});
+                       .record = mcs::TrajectoryStreamStatistics(y, v)});
     pointers.push_back(&streams.back());
   }
   mcs::advance_all_streams(motion, pointers, time / kStreams, lanes);
   SimulationResult result{0, 0};
   double samples = 0;
-  for (const mcs::Stream& stream : streams) {
+  for (const mcs::TrajectoryStream& stream : streams) {
     result.flights += static_cast<double>(stream.record.flights);
     result.mean_square += stream.record.powers[4];
     samples += stream.record.samples;
@@ -158,16 +158,17 @@ double simulated_time_per_second(int threads, double time,
 /// amplitude sqrt(2 E), per unit time.
 template <class Advance>
 std::pair<double, double> error_per_time(const problem::Problem& problem,
-                                         const mcs::Oscillator& oscillator, const State& deviation,
-                                         const Advance& advance) {
+                                         const mcs::SimulatedOscillator& oscillator,
+                                         const OscillatorState& deviation, const Advance& advance) {
   std::mt19937_64 engine(1);
   std::normal_distribution<double> normal;
   double squares = 0, largest = 0;
   constexpr int kStates = 20000;
   for (int n = 0; n < kStates; ++n) {
-    const State start{std::abs(deviation.y * normal(engine)), deviation.v * normal(engine)};
+    const OscillatorState start{std::abs(deviation.y * normal(engine)),
+                                deviation.v * normal(engine)};
     const auto [end, time] = advance(start);
-    State exact = start;
+    OscillatorState exact = start;
     constexpr int kParts = 64;
     for (int p = 0; p < kParts; ++p)
       exact = mcs::DuffingFlight<double>(oscillator, exact).state_at_time(time / kParts);
@@ -180,14 +181,16 @@ std::pair<double, double> error_per_time(const problem::Problem& problem,
   return {std::sqrt(squares / kStates), largest};
 }
 
-void errors(const problem::Problem& problem, const State& deviation) {
-  const mcs::Oscillator oscillator = mcs::make_oscillator(problem, problem::motion_scales(problem));
-  const auto [rms, largest] = error_per_time(problem, oscillator, deviation, [&](const State& x) {
-    return std::pair{runge_kutta(problem.system, x, kRungeKuttaStep), kRungeKuttaStep};
-  });
+void errors(const problem::Problem& problem, const OscillatorState& deviation) {
+  const mcs::SimulatedOscillator oscillator =
+      mcs::make_oscillator(problem, problem::motion_scales(problem));
+  const auto [rms, largest] =
+      error_per_time(problem, oscillator, deviation, [&](const OscillatorState& x) {
+        return std::pair{runge_kutta(problem.system, x, kRungeKuttaStep), kRungeKuttaStep};
+      });
   // For flights of maximum length; impulses and impacts shorten most flights.
   const auto [rms_lanes, largest_lanes] =
-      error_per_time(problem, oscillator, deviation, [&](const State& x) {
+      error_per_time(problem, oscillator, deviation, [&](const OscillatorState& x) {
         const mcs::DuffingFlight<double> flight(oscillator, x);
         const double time = flight.max_step(kStep);
         return std::pair{flight.state_at_time(time), time};

@@ -37,7 +37,7 @@ examples:
   fpkcheck advise case1 --set system.restitution=0.8 --set impulse.rate=0.1
 )";
 
-// Quotes the text as an argument of a POSIX shell, if necessary.
+// Returns a text quoted, if necessary, as one argument of a POSIX shell command.
 std::string quote_for_shell(const std::string& text) {
   const auto plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string_view("_./=:,+-").find(char(c)) != std::string::npos;
@@ -48,7 +48,7 @@ std::string quote_for_shell(const std::string& text) {
   return quoted + '\'';
 }
 
-std::string case_arguments(const CommonArguments& common) {
+std::string case_arguments(const CommonCommandArguments& common) {
   std::string words = quote_for_shell(common.cases.front());
   for (const auto& override_text : common.overrides)
     words += " --set " + quote_for_shell(override_text);
@@ -100,7 +100,7 @@ std::string method_command(const std::string& id, const std::string& words,
 
 int advise_command(const CommandCall& call) {
   namespace po = boost::program_options;
-  CommonArguments common;
+  CommonCommandArguments common;
   double accuracy = 0.01;
   po::options_description options("options", 96);
   options.add_options()("accuracy",
@@ -125,7 +125,7 @@ int advise_command(const CommandCall& call) {
   const auto advice = sweep::recommend_methods(problem, accuracy, sweep::shipped_validity_map());
 
   const std::string words = case_arguments(common);
-  // By default `fd` refines its grid until its error estimate is below 1e-4.
+  // By default the method `fd` refines its grid until its error estimate is below 1e-4.
   constexpr double kDefaultGridTolerance = 1e-4;
   const sweep::RecommendationContext setting{
       .name = problem.name,

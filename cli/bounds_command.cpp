@@ -57,7 +57,7 @@ backward::StationaryFunctional parse_smooth_bin(const std::string& text) {
 
 int bounds_command(const CommandCall& call) {
   namespace po = boost::program_options;
-  CommonArguments common;
+  CommonCommandArguments common;
   const auto& description = backward::bounds_option_descriptions();
   base::Values values = description.values(backward::BoundsOptions{});
   std::vector<std::string> bins;
@@ -94,7 +94,7 @@ int bounds_command(const CommandCall& call) {
   }
   if (common.json) print_output(results::run_summary_text(run) + '\n');
   if (common.out) {
-    const base::ExitBlocker in_hand;
+    const base::ProcessExitBlocker in_hand;
     base::FileTransaction files;
     files.add(std::filesystem::path(*common.out) / results::kSummaryFile,
               results::run_summary_text(run) + '\n');

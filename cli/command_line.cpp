@@ -16,11 +16,11 @@ namespace fpkcheck::cli {
 namespace po = boost::program_options;
 
 po::options_description add_output_options(const po::options_description& command_options,
-                                           CommonArguments& common, const char* out_help) {
+                                           CommonCommandArguments& common, const char* out_help) {
   constexpr unsigned kWidth = 96;
   po::options_description all("options", kWidth);
-  // The options are added one by one, since Boost would print a nested group after all other
-  // options and in another width.
+  // The options of a command are added one by one, since Boost would print a nested group after all
+  // other options and in another width.
   for (const auto& option : command_options.options()) all.add(option);
   all.add_options()  //
       ("out", make_optional_option(common.out, "DIR"), out_help)(
@@ -53,8 +53,8 @@ bool parse_arguments(const std::vector<std::string>& arguments, const std::strin
 }
 
 bool parse_case_arguments(const std::vector<std::string>& arguments, const std::string& usage,
-                          const po::options_description& command_options, CommonArguments& common,
-                          const char* out_help) {
+                          const po::options_description& command_options,
+                          CommonCommandArguments& common, const char* out_help) {
   po::options_description with_cases;
   for (const auto& option : command_options.options()) with_cases.add(option);
   with_cases.add_options()(
@@ -64,13 +64,13 @@ bool parse_case_arguments(const std::vector<std::string>& arguments, const std::
                          common.cases);
 }
 
-std::vector<problem::Problem> load_cases(const CommonArguments& common) {
+std::vector<problem::Problem> load_cases(const CommonCommandArguments& common) {
   std::vector<problem::Problem> problems;
   std::set<std::string> names;
   for (const auto& name : common.cases) {
     problems.push_back(problem::load_case(
-        name, common.overrides, problem::CaseNaming::with_overrides, common.time_section));
-    // Two cases with different names may have the same file name.
+        name, common.overrides, problem::CaseNamingRule::with_overrides, common.time_section));
+    // Two cases with different names may have equal file names.
     if (std::ranges::count(common.cases, name) > 1) {
       throw InputError(fmt::format("{} is named twice; name it once", base::sanitise(name)));
     }
@@ -81,7 +81,7 @@ std::vector<problem::Problem> load_cases(const CommonArguments& common) {
     }
   }
   for (const auto& name : names) {
-    // Suffixes that follow the case name in the names of figures and netCDF variables.
+    // Suffixes after the case name in the names of figures and netCDF variables.
     for (const char* suffix : {"-budget", "-sources", "-order", "-tex", "_bounds"}) {
       if (!names.contains(name + suffix)) continue;
       throw InputError(

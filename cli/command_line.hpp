@@ -13,20 +13,20 @@
 
 namespace fpkcheck::cli {
 
-struct CommonArguments {
+struct CommonCommandArguments {
   std::vector<std::string> cases;
   std::vector<std::string> overrides;  ///< values of the option --set, as texts "key=value"
-  /// Whether cases may have the section [time]. Only commands that compute densities over time
-  /// accept this section.
-  problem::TimeSection time_section = problem::TimeSection::refused;
+  /// Whether case files may have the section [time] (an excitation that changes in time). Only
+  /// commands that compute densities over time accept the section [time].
+  problem::TimeSectionPolicy time_section = problem::TimeSectionPolicy::refused;
   std::optional<std::string> out;
   bool quiet = false;
   bool json = false;
   report::FigureOptions figures = {};
 };
 
-/// Returns a Boost option without a default value. Parsing stores the value of the option in
-/// `destination`.
+/// Returns a Boost command-line option without a default value. Parsing stores the value of the
+/// option in `destination`.
 template <class T>
 boost::program_options::typed_value<T>* make_optional_option(std::optional<T>& destination,
                                                              const char* placeholder) {
@@ -38,11 +38,11 @@ boost::program_options::typed_value<T>* make_optional_option(std::optional<T>& d
 /// Adds the output options --out, --quiet, --json and --help to the options of a command with fixed
 /// cases.
 boost::program_options::options_description add_output_options(
-    const boost::program_options::options_description& command_options, CommonArguments& common,
-    const char* out_help);
+    const boost::program_options::options_description& command_options,
+    CommonCommandArguments& common, const char* out_help);
 
-/// Stores the option values in the variables of `options`, and the positional arguments in
-/// `positional`. Abbreviated option names are refused.
+/// Parses the arguments of a command: stores the option values in the variables of `options`, and
+/// the positional arguments in `positional`. Abbreviated option names are refused.
 /// @param usage first lines of the help text
 /// @return false if the help was printed because of --help
 /// @throws InputError with a message of one line
@@ -56,14 +56,15 @@ bool parse_arguments(const std::vector<std::string>& arguments, const std::strin
 /// @throws InputError with a message of one line
 bool parse_case_arguments(
     const std::vector<std::string>& arguments, const std::string& usage,
-    const boost::program_options::options_description& command_options, CommonArguments& common,
+    const boost::program_options::options_description& command_options,
+    CommonCommandArguments& common,
     const char* out_help =
         "write report.html, summary.json, marginals.csv, smooth.csv, joint.nc and figures/ to DIR "
         "(default: fpkcheck-out for run, else no files)");
 
 /// @throws InputError for an invalid case, and for two cases whose results would have the same file
 ///         name
-std::vector<problem::Problem> load_cases(const CommonArguments& common);
+std::vector<problem::Problem> load_cases(const CommonCommandArguments& common);
 
 /// Returns the distinct entries of a comma-separated list, in the order of the list.
 /// @param option name of the option, for error messages
@@ -75,8 +76,8 @@ std::vector<std::string> parse_comma_separated_list(const std::string& option,
 /// @throws InputError for an empty list or an item that is not an integer
 std::vector<int> parse_integers(const std::string& option, const std::string& list);
 
-/// Makes an option for each parameter in `description` that has a flag. Parsing replaces values in
-/// `values` by the values on the command line.
+/// Makes an option for each parameter in `description` that has a flag. Parsing replaces elements
+/// of `values` by the values on the command line.
 /// @param values values of all parameters, in any order; the options keep a reference to `values`
 /// @throws InputError during parsing, with the flag, the refused text and the allowed values
 boost::program_options::options_description make_command_line_options(

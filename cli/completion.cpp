@@ -41,8 +41,8 @@ Words case_key_candidates(const Words& words) {
   for (const auto& word : words) {
     if (problem::find_built_in_case(word) == nullptr && !word.ends_with(".ini")) continue;
     try {
-      const problem::Problem loaded = problem::load_case(word, {}, problem::CaseNaming::from_file,
-                                                         problem::TimeSection::allowed);
+      const problem::Problem loaded = problem::load_case(
+          word, {}, problem::CaseNamingRule::from_file, problem::TimeSectionPolicy::allowed);
       for (const auto& [name, value] : loaded.system.named_constants()) {
         keys.push_back("parameters." + name + '=');
       }
@@ -53,8 +53,8 @@ Words case_key_candidates(const Words& words) {
   return keys;
 }
 
-// Returns the allowed values of an option. If the command is no solver, the values for all solvers
-// are returned.
+// Returns the allowed values of a command-line option. For a command that is no solver, the option
+// values of all solvers are returned.
 Words option_choices(const std::string& flag, const std::string& command,
                      const methods::SolverRegistry& registry) {
   Words choices;
@@ -99,7 +99,7 @@ Words positional_candidates(const CommandHelp& command) {
   if (takes("DIR")) return {kDirectoryNamesCandidate};
   if (!takes("CASE")) return {kFileNamesCandidate};
   Words cases;
-  for (const auto* list : {&problem::paper_cases(), &problem::example_systems()}) {
+  for (const auto* list : {&problem::paper_cases(), &problem::example_oscillator_cases()}) {
     for (const auto& named : *list) cases.push_back(named.name);
   }
   cases.emplace_back(kFileNamesCandidate);

@@ -55,7 +55,7 @@ std::string read_text_file(const fs::path& file, const char* hint) {
 
 std::vector<PhasePoint> read_points(std::istream& in, const std::string& name) {
   const auto table = methods::read_number_table(in, name);
-  if (table.columns() != 2) table.throw_row_error(0, "three columns: must be two, y and y'");
+  if (table.column_count() != 2) table.throw_row_error(0, "three columns: must be two, y and y'");
   std::vector<PhasePoint> points;
   for (const auto& row : table.rows) points.push_back({row[0], row[1]});
   return points;
@@ -168,7 +168,7 @@ int evaluate_command(const CommandCall& call) {
   for (const auto& [y, v] : points) values.push_back(y < density.y_min ? 0 : density.value(y, v));
   print_output(json ? densities_json_text(points, values, file.string(), form)
                     : densities_csv_text(points, values));
-  if (!quiet && form.solution && !form.solution->is_ok()) {
+  if (!quiet && form.solution && !form.solution->has_status_ok()) {
     print_message(fmt::format("{} is {}: {}", form.solution->id(), name(form.solution->status),
                               form.solution->reason));
   }

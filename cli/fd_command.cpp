@@ -33,13 +33,13 @@ TransientOptions transient_options(const Values& given) {
   return options;
 }
 
-// Integrates the density of one case over time, and prints the table or the JSON. With --out the
-// results are written to transient.nc and a figure.
+// Integrates the density of one case over time, and prints a table or JSON. With the option --out
+// the results are written to transient.nc and a figure.
 // @throws InputError for invalid cases or options, and for more than one case
-int integrate_and_report(CommonArguments common, const fd_fpk::Options& options,
+int integrate_and_report(CommonCommandArguments common, const fd_fpk::FiniteVolumeOptions& options,
                          fd_fpk::TransientOptions transient, const std::string& command_line) {
   fd_fpk::validate(options, transient);
-  common.time_section = problem::TimeSection::allowed;
+  common.time_section = problem::TimeSectionPolicy::allowed;
   const auto problems = load_cases(common);
   if (problems.size() > 1) {
     throw InputError(fmt::format(
@@ -50,15 +50,15 @@ int integrate_and_report(CommonArguments common, const fd_fpk::Options& options,
   const auto& problem = problems.front();
   ProgressLine progress(common.quiet);
   transient.progress = [&](double fraction) {
-    progress.rewrite({.done = 0,
-                      .total = 1,
-                      .case_name = problem.name,
-                      .method = "over time",
-                      .fraction = fraction});
+    progress.show_progress({.done = 0,
+                            .total = 1,
+                            .case_name = problem.name,
+                            .method = "over time",
+                            .fraction = fraction});
   };
   auto result = fd_fpk::solve_transient(problem, options, transient);
   throw_if_interrupted();
-  progress.erase();
+  progress.erase_line();
 
   const study::TransientRun run{command_line, problem, options, transient, std::move(result)};
   if (common.json) {
@@ -67,7 +67,7 @@ int integrate_and_report(CommonArguments common, const fd_fpk::Options& options,
     print_output(study::transient_table(run, terminal_format().width));
   }
   if (common.out) {
-    const base::ExitBlocker in_hand;
+    const base::ProcessExitBlocker in_hand;
     for (const auto& warning : study::write_transient_files(*common.out, run, common.figures))
       print_message(warning);
     set_exit_message("all files were written except the figure");
@@ -90,7 +90,7 @@ int integrate_and_report(CommonArguments common, const fd_fpk::Options& options,
 }  // namespace
 
 int fd_command(const CommandCall& call, const methods::Solver& solver) {
-  CommonArguments common;
+  CommonCommandArguments common;
   Values values = solver.default_options, transient_values;
   auto own = make_command_line_options(*solver.option_descriptions, values);
   own.add(make_command_line_options(fd_fpk::transient_option_descriptions(), transient_values));

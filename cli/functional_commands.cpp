@@ -98,8 +98,8 @@ template <class Options, class Study>
 int run_functional(const CommandCall& call, const char* usage,
                    const base::Description<Options>& description, const char* out_help,
                    const Study& study,
-                   problem::TimeSection time_section = problem::TimeSection::refused) {
-  ReportOfOneCase report(call);
+                   problem::TimeSectionPolicy time_section = problem::TimeSectionPolicy::refused) {
+  OneCaseReportCommand report(call);
   report.common.time_section = time_section;
   base::Values values = description.values(Options{});
   auto own = make_command_line_options(description, values);
@@ -135,7 +135,7 @@ int density_over_time_command(const CommandCall& call) {
   return run_functional(
       call, kOverTimeUsage, study::transient_comparison_option_descriptions(),
       "write over_time.html, .json, .csv, .nc and a figure to DIR (default: no files)",
-      study::compare_over_time, problem::TimeSection::allowed);
+      study::compare_over_time, problem::TimeSectionPolicy::allowed);
 }
 
 int passage_command(const CommandCall& call) {

@@ -16,22 +16,23 @@ namespace {
 
 namespace po = boost::program_options;
 
-// Destination of the help during capture_help(); null if print_or_capture_help() prints the help.
-thread_local Help* captured_help = nullptr;
+// Destination of a command's help text during capture_help(); null if print_or_capture_help()
+// prints the help.
+thread_local CommandHelpText* captured_help = nullptr;
 
 std::size_t indentation(const std::string& line) {
   return std::min(line.find_first_not_of(' '), line.size());
 }
 
-// Returns the column in which the text of a line " name text" begins. The result is 0 if the line
-// has no gap of two blanks.
+// Returns the column in which the second part of a help line " name text" begins. For a line
+// without a gap of two blanks the result is 0.
 std::size_t text_column(const std::string& line) {
   const auto gap = line.find("  ", indentation(line));
   return gap == std::string::npos ? 0 : std::min(line.find_first_not_of(' ', gap), line.size());
 }
 
-// Usage texts are wrapped at about 96 columns. If the first word of the next line would fit into a
-// line, the line break is intended.
+// Usage texts are wrapped at about 96 columns. A line break is intended if the first word of the
+// next line would fit into the line before.
 bool keeps_line_break(const std::string& line, const std::string& next) {
   constexpr std::size_t kFilledWidth = 84;
   const auto begin = indentation(next);
@@ -39,7 +40,8 @@ bool keeps_line_break(const std::string& line, const std::string& next) {
   return line.size() + 1 + word <= kFilledWidth;
 }
 
-// Wraps a long example by backslashes, as shells accept, and moves its remark to a separate line.
+// Wraps a long example command by backslashes, as shells accept, and moves the remark after the
+// command to a separate line.
 std::string wrap_example(const std::string& line, std::size_t remark, std::size_t width) {
   constexpr std::size_t kIndent = 6;
   std::string result =
@@ -96,7 +98,7 @@ OptionHelp option_help(const po::option_description& option) {
   OptionHelp help{.name = option.canonical_display_name(allow_long),
                   .short_name = option.canonical_display_name(allow_dash_for_short),
                   .text = option.description()};
-  // Boost returns the long name for an option without a short name.
+  // For an option without a short name Boost returns the long name.
   if (help.short_name.size() != 2 || help.short_name[0] != '-') help.short_name.clear();
   const std::string parameter = option.format_parameter();
   const auto default_begin = parameter.find(" (=");
@@ -107,7 +109,8 @@ OptionHelp option_help(const po::option_description& option) {
   return help;
 }
 
-// Escapes backslashes, hyphens (to be copied as ASCII), and lines that begin like a troff request.
+// Returns text for troff, with escaped backslashes, hyphens, and lines that begin like a troff
+// request.
 std::string escape_troff(const std::string& text) {
   std::string result;
   bool line_begins = true;
@@ -161,7 +164,7 @@ std::string wrap_usage(const std::string& usage, std::size_t width) {
   return result;
 }
 
-std::string help_text(const Help& help, std::size_t width) {
+std::string help_text(const CommandHelpText& help, std::size_t width) {
   std::string text = wrap_usage(help.usage, width);
   if (help.options.empty()) return text;
   constexpr std::size_t kIndent = 2, kGap = 2, kMaxLabelWidth = 26;
@@ -187,7 +190,7 @@ std::string help_text(const Help& help, std::size_t width) {
 }
 
 void print_or_capture_help(const std::string& usage, const po::options_description& options) {
-  Help help{usage, {}};
+  CommandHelpText help{usage, {}};
   for (const auto& option : options.options()) help.options.push_back(option_help(*option));
   if (captured_help != nullptr) {
     *captured_help = std::move(help);
@@ -198,8 +201,8 @@ void print_or_capture_help(const std::string& usage, const po::options_descripti
                          isatty(STDOUT_FILENO) == 1 ? terminal_format().width : kDefaultWidth);
 }
 
-Help capture_help(const std::function<void()>& call) {
-  Help help;
+CommandHelpText capture_help(const std::function<void()>& call) {
+  CommandHelpText help;
   captured_help = &help;
   try {
     call();

@@ -18,7 +18,7 @@ struct OptionHelp {
   std::string text = {};
 };
 
-struct Help {
+struct CommandHelpText {
   std::string usage;  ///< synopsis, description and examples of the command
   std::vector<OptionHelp> options;
 };
@@ -26,15 +26,15 @@ struct Help {
 struct CommandHelp {
   std::string name;     ///< name of the command, e.g. "run" or "study grid"
   std::string summary;  ///< description of the command in one line
-  Help help;
+  CommandHelpText help;
 };
 
-/// Wraps a usage text to lines of `width` characters. Aligned lists, and blocks that fit into the
-/// width, are unchanged. A word longer than a line is not broken.
+/// Wraps a usage text to lines of `width` characters. Aligned lists, and text blocks that fit into
+/// the width, are not wrapped again. A word longer than the line width is not broken.
 std::string wrap_usage(const std::string& usage, std::size_t width);
 
 /// Returns the help of a command as text: the usage, then the options in two columns.
-std::string help_text(const Help& help, std::size_t width);
+std::string help_text(const CommandHelpText& help, std::size_t width);
 
 /// Prints the help of a command in the width of the terminal, or in 80 columns if the output is not
 /// a terminal. During a call of capture_help(), the help is stored and not printed.
@@ -42,7 +42,7 @@ void print_or_capture_help(const std::string& usage,
                            const boost::program_options::options_description& options);
 
 /// Returns the help that `call` would print, where `call` calls a command with the argument --help.
-Help capture_help(const std::function<void()>& call);
+CommandHelpText capture_help(const std::function<void()>& call);
 
 /// Returns the man page fpkcheck(1) of all commands in troff, with the macros of man(7).
 std::string manual_page(const std::vector<CommandHelp>& commands);

@@ -35,7 +35,8 @@ void refuse_control_variates(const base::Values& values) {
 }
 
 // Simulates the streams of an MPI rank other than the first rank.
-int simulate_streams_of_rank(const CommonArguments& common, const methods::Method& simulation) {
+int simulate_streams_of_rank(const CommonCommandArguments& common,
+                             const methods::Method& simulation) {
   for (const auto& problem : load_cases(common)) {
     methods::solve_with_method(simulation, problem, {compare::comparison_axes(problem), {}});
   }
@@ -45,7 +46,7 @@ int simulate_streams_of_rank(const CommonArguments& common, const methods::Metho
 }  // namespace
 
 int mcs_command(const CommandCall& call, const methods::Solver& solver) {
-  CommonArguments common;
+  CommonCommandArguments common;
   base::Values values = solver.default_options;
   methods::SimulationRuntimeSettings control{
       .stop = base::stop_requested, .warn = [](const std::string& text) { print_message(text); }};
@@ -58,8 +59,8 @@ int mcs_command(const CommandCall& call, const methods::Solver& solver) {
         "--checkpoint or --resume with several cases: a file stores one case; name one case");
   }
   const auto solve = [&] {
-    const auto simulation =
-        methods::with_runtime_settings(call.registry.make_method(solver, values), control);
+    const auto simulation = methods::simulation_with_runtime_settings(
+        call.registry.make_method(solver, values), control);
     return control.process_group.part > 0
                ? simulate_streams_of_rank(common, simulation)
                : solve_and_report(common, {simulation},
@@ -72,14 +73,16 @@ int mcs_command(const CommandCall& call, const methods::Solver& solver) {
 
   refuse_control_variates(values);
   const auto ranks = base::Communicator::initialise_mpi();
-  control.process_group = {
-      .part = ranks->rank(), .parts = ranks->size(), .gather = [&ranks](const std::string& text) {
-        return ranks->gather(text, throw_if_interrupted);
-      }};
+  control.process_group = {.part = ranks->process_rank(),
+                           .parts = ranks->process_count(),
+                           .gather = [&ranks](const std::string& text) {
+                             return ranks->gather(text, throw_if_interrupted);
+                           }};
   try {
     return solve();
   } catch (const std::exception& error) {
-    // MPI_Abort is called, since the other ranks would wait for the failed rank.
+    // After a failure MPI_Abort is called, since the other MPI ranks would wait for the failed
+    // rank.
     print_message(error.what());
     ranks->abort(kFailure);
     return kFailure;

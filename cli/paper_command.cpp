@@ -38,9 +38,9 @@ examples:
 )";
 constexpr const char* kDefaultPaperDirectory = "fpkcheck-paper";
 
-Supplement make_claims_supplement(const results::Run& run, report::FigureWidth width) {
+RunSupplement make_claims_supplement(const results::Run& run, report::FigureWidth width) {
   const auto judgements = paper::judge_claims(run);
-  Supplement supplement{
+  RunSupplement supplement{
       .report = paper::claims_supplement(judgements, run, width, terminal_format()),
       .json = paper::summary_json_with_claims(judgements, run),
       .failures = {}};
@@ -56,7 +56,7 @@ Supplement make_claims_supplement(const results::Run& run, report::FigureWidth w
 }  // namespace
 
 int paper_command(const CommandCall& call) {
-  CommonArguments common;
+  CommonCommandArguments common;
   base::Values given;
   auto options = make_solver_run_options(call.registry, given);
   options.add(make_figure_options(common.figures));
@@ -71,8 +71,9 @@ int paper_command(const CommandCall& call) {
   }
   for (const auto& named : problem::paper_cases()) common.cases.push_back(named.name);
   if (!common.out) common.out = kDefaultPaperDirectory;
-  return solve_and_report(common, call.registry.select_methods(paper::kRequiredMethods, given),
-                          {.required = RequiredSolutions::references,
+  return solve_and_report(common,
+                          call.registry.methods_selected_by_list(paper::kRequiredMethods, given),
+                          {.required = SolutionsRequiredForSuccess::references,
                            .threads = requested_thread_count(given),
                            .with_backward = true,
                            .supplement =

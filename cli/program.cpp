@@ -204,7 +204,7 @@ int run_program(const Arguments& arguments, const methods::SolverRegistry& regis
   set_exit_message("nothing was written");
   try {
     const int exit_code = call_named_command(arguments, registry);
-    // A full disk or a closed pipe is detected only when the output buffers are flushed.
+    // The program detects a full disk or a closed pipe only when the output buffers are flushed.
     std::cout.flush();
     if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
       throw std::runtime_error("standard output could not be written");

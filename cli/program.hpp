@@ -18,8 +18,8 @@ enum ExitCode {
 /// Returns the exit code of the program after a signal, by the convention of shells.
 constexpr int signal_exit_code(int signal) { return 128 + signal; }
 
-/// Runs the command that the arguments name. Results are written to standard output, and messages
-/// and progress to standard error.
+/// Runs the command that the arguments name. The results of a command are written to standard
+/// output, and messages and progress to standard error.
 /// @param arguments command-line arguments without the name of the program
 /// @return an ExitCode
 int run_program(const std::vector<std::string>& arguments);

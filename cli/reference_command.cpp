@@ -33,7 +33,7 @@ examples:
 
 int reference_command(const CommandCall& call) {
   namespace po = boost::program_options;
-  CommonArguments common;
+  CommonCommandArguments common;
   study::ReferenceOptions options;
   po::options_description own;
   own.add_options()("time", make_optional_option(options.simulation_time, "T"),
@@ -70,7 +70,7 @@ int reference_command(const CommandCall& call) {
   }
   const std::string text = study::reference_markdown(references, call.command_line);
   if (common.out) {
-    const base::ExitBlocker in_hand;
+    const base::ProcessExitBlocker in_hand;
     const std::filesystem::path place(*common.out);
     base::FileTransaction files;
     files.add(place / "reference.md", text);

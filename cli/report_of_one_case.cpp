@@ -12,7 +12,7 @@ namespace {
 
 void write_study_files(const std::filesystem::path& directory, const study::StudyReport& output,
                        const report::FigureOptions& options) {
-  const base::ExitBlocker in_hand;
+  const base::ProcessExitBlocker in_hand;
   base::FileTransaction files;
   files.add(directory / (output.file_stem + ".json"), output.json + '\n');
   files.add(directory / (output.file_stem + ".csv"), output.csv);
@@ -30,7 +30,7 @@ void write_study_files(const std::filesystem::path& directory, const study::Stud
 
 }  // namespace
 
-void ReportOfOneCase::write_output_files(const study::StudyReport& output) const {
+void OneCaseReportCommand::write_output_files(const study::StudyReport& output) const {
   if (common.json) {
     print_output(output.json + '\n');
   } else if (!common.quiet) {

@@ -13,11 +13,11 @@ namespace fpkcheck::cli {
 
 /// Arguments and output of a command that solves one case. The output is a table or JSON on
 /// standard output, and with --out JSON, CSV and a figure as files.
-class ReportOfOneCase {
+class OneCaseReportCommand {
  public:
-  explicit ReportOfOneCase(const CommandCall& call) : call_(call) {}
+  explicit OneCaseReportCommand(const CommandCall& call) : call_(call) {}
 
-  CommonArguments common;
+  CommonCommandArguments common;
 
   /// Parses the arguments of the command into `common` and into the variables of the options.
   /// @param own options of the command, without the common options
@@ -27,8 +27,8 @@ class ReportOfOneCase {
     return parse_case_arguments(call_.arguments, usage, own, common, out_help);
   }
 
-  /// Computes the result of one case and prints the table or the JSON. With --out the files of the
-  /// result are written.
+  /// Computes the result of one case and prints the table or the JSON. With the option --out the
+  /// files of the result are written.
   /// @param run function that returns the result for a problem and a progress listener
   /// @throws InputError unless there is exactly one case
   template <class Run>
@@ -37,10 +37,11 @@ class ReportOfOneCase {
     if (problems.size() != 1) throw InputError("this command takes one case; name it, e.g. case1");
     const OutputDirectory directory(common.out);
     ProgressLine line(common.quiet);
-    const auto result = run(problems.front(),
-                            [&](const methods::RunProgress& progress) { line.rewrite(progress); });
+    const auto result = run(problems.front(), [&](const methods::RunProgress& progress) {
+      line.show_progress(progress);
+    });
     throw_if_interrupted();
-    line.erase();
+    line.erase_line();
     write_output_files(study::make_study_report(result, call_.command_line, terminal_format(),
                                                 common.figures.width));
     if (has_converged(result)) return kSuccess;

@@ -66,7 +66,7 @@ std::string all_solver_names(const methods::SolverRegistry& registry) {
 int run_command(const CommandCall& call) {
   if (requests_density_over_time(call)) return density_over_time_command(call);
   namespace po = boost::program_options;
-  CommonArguments common;
+  CommonCommandArguments common;
   base::Values given;
   std::optional<std::string> list;
   std::vector<std::string> against;
@@ -86,7 +86,7 @@ int run_command(const CommandCall& call) {
   if (!parse_case_arguments(call.arguments, kRunUsage, own, common)) return kSuccess;
 
   auto methods =
-      call.registry.select_methods(list.value_or(all_solver_names(call.registry)), given);
+      call.registry.methods_selected_by_list(list.value_or(all_solver_names(call.registry)), given);
   if (common.cases.empty()) {
     for (const auto& named : problem::paper_cases()) common.cases.push_back(named.name);
   }
@@ -97,31 +97,31 @@ int run_command(const CommandCall& call) {
     }
     // External densities come first in the order of increasing trust, because their accuracy is
     // unknown.
-    auto from_files =
-        methods::read_external_methods(against, call.registry, load_cases(common).front().name);
+    auto from_files = methods::external_density_methods_from_files(against, call.registry,
+                                                                   load_cases(common).front().name);
     methods.insert(methods.begin(), std::make_move_iterator(from_files.begin()),
                    std::make_move_iterator(from_files.end()));
   }
   if (!common.out) common.out = kDefaultDirectory;
   std::vector<std::string> requested_ids;
   if (list) requested_ids = parse_comma_separated_list("--methods", *list);
-  return solve_and_report(
-      common, methods,
-      {.required = list ? RequiredSolutions::all : RequiredSolutions::references,
-       .requested_ids = requested_ids,
-       .threads = requested_thread_count(given),
-       .with_backward = true},
-      call.command_line);
+  return solve_and_report(common, methods,
+                          {.required = list ? SolutionsRequiredForSuccess::all
+                                            : SolutionsRequiredForSuccess::references,
+                           .requested_ids = requested_ids,
+                           .threads = requested_thread_count(given),
+                           .with_backward = true},
+                          call.command_line);
 }
 
 int solver_command(const CommandCall& call, const methods::Solver& solver) {
-  CommonArguments common;
+  CommonCommandArguments common;
   base::Values values = solver.default_options;
   auto own = make_command_line_options(*solver.option_descriptions, values);
   own.add(make_case_figure_options(common.figures));
   if (!parse_case_arguments(call.arguments, solver.usage, own, common)) return kSuccess;
   return solve_and_report(common, {call.registry.make_method(solver, values)},
-                          {.required = RequiredSolutions::all}, call.command_line);
+                          {.required = SolutionsRequiredForSuccess::all}, call.command_line);
 }
 
 }  // namespace fpkcheck::cli

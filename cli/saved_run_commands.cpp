@@ -38,7 +38,7 @@ examples:
 
 void write_check_files(const std::filesystem::path& directory, const results::Run& run,
                        const std::string& json) {
-  const base::ExitBlocker in_hand;
+  const base::ProcessExitBlocker in_hand;
   base::FileTransaction files;
   results::add_summary_and_curves(files, directory, run);
   files.add(directory / "check.json", json + '\n');
@@ -51,8 +51,8 @@ void write_check_files(const std::filesystem::path& directory, const results::Ru
 int check_command(const CommandCall& call) {
   const base::Stopwatch stopwatch;
   namespace po = boost::program_options;
-  CommonArguments common;
-  check::Tolerances tolerances;
+  CommonCommandArguments common;
+  check::CheckTolerances tolerances;
   int threads = 0;
   std::vector<std::string> paths;
   po::options_description own;
@@ -87,10 +87,11 @@ int check_command(const CommandCall& call) {
   const OutputDirectory directory(common.out);
 
   ProgressLine progress(common.quiet);
-  const auto run = check::repeat_run(baseline, call.command_line, threads,
-                                     [&](const methods::RunProgress& at) { progress.rewrite(at); });
+  const auto run = check::repeat_baseline_run(
+      baseline, call.command_line, threads,
+      [&](const methods::RunProgress& at) { progress.show_progress(at); });
   throw_if_interrupted();
-  progress.erase();
+  progress.erase_line();
 
   auto result = check::compare_runs(baseline.run, run, tolerances, baseline.has_marginals);
   result.notes = baseline.notes;
@@ -141,18 +142,18 @@ int report_command(const CommandCall& call) {
     throw InputError("report takes one directory; name that of a saved run, e.g. fpkcheck-out");
   }
   results::Run run = results::load_run(directories.front());
-  call.registry.complete_solution_identities(run);
+  call.registry.set_missing_identity_fields_of_run(run);
   std::vector<transform::SolutionIdentity> identities;
   for (const auto& case_result : run.cases) {
     for (const auto& solution : case_result.solutions) identities.push_back(solution.identity);
   }
   report::require_requested_curves_exist(figures.curves, identities);
-  const base::ExitBlocker in_hand;
+  const base::ProcessExitBlocker in_hand;
   const auto format = terminal_format();
   const auto supplement =
       paper::is_paper_run(run)
           ? paper::claims_supplement(paper::judge_claims(run), run, figures.width, format)
-          : report::Supplement{};
+          : report::ReportSupplement{};
   const auto [text, warnings] =
       report::rebuild_report(directories.front(), run, format, figures, supplement);
   set_exit_message("report.html was written, but not all figures");

@@ -29,8 +29,8 @@ std::atomic<InterruptionPolicy> current_policy = InterruptionPolicy::abort;
 extern "C" void handle_stop_signal(int signal) {
   const int error = errno;
   if (base::stop_requested()) {
-    // The default action handles the second signal after the return of handle_stop_signal(), which
-    // blocks the signal.
+    // After handle_stop_signal() returns, which blocks the signal, the default action of the signal
+    // handles a second signal.
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   } else {
@@ -42,10 +42,10 @@ extern "C" void handle_stop_signal(int signal) {
 
 using namespace std::chrono_literals;
 
-// Times between the signal and the shutdown by the watchdog. After kAbortDelay, 700 ms of one
-// second remain for the shutdown hooks, even on busy processors. The longer kFinishDelay allows a
-// simulation to complete its current round and to return its result. On a few processors a round of
-// 2e7 events takes longer than a second.
+// Times between a stop signal and the shutdown by the watchdog thread. After kAbortDelay, 700 ms of
+// one second remain for the shutdown hooks, even on busy processors. The longer kFinishDelay allows
+// a simulation to complete its current round and to return its result. On a few processors one
+// round of a simulation, 2e7 events, takes longer than a second.
 constexpr auto kAbortDelay = 300ms;
 constexpr auto kFinishDelay = 4000ms;
 
@@ -73,13 +73,13 @@ sem_t signal_received;
 }
 
 // Writes a line to standard error by write(2) instead of stdio, since a blocked thread may hold the
-// locks of stdio.
+// stdio locks.
 void write_line_without_stdio(const std::string& line) {
   const std::string text = (stderr_is_interactive() ? "\r\033[K" : "") + line + '\n';
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
 }
 
-// Ends the process, unless the command has claimed the shutdown.
+// Ends the process after a stop signal, unless the command has claimed the shutdown.
 void shut_down_process() {
   if (shutdown_claimed) return;
   base::wait_and_block_other_writers();
@@ -156,7 +156,7 @@ ShutdownHook::~ShutdownHook() {
 OutputDirectory::OutputDirectory(const std::optional<std::string>& out)
     : hook_([this] { directory_ = {}; }) {
   if (!out) return;
-  const base::ExitBlocker in_hand;
+  const base::ProcessExitBlocker in_hand;
   directory_ = results::prepare_output_directory(*out);
 }
 

@@ -14,12 +14,13 @@
 /// simulation returns its partial result.
 ///
 /// Long operations such as a matrix factorisation, a time step of CVODE or a least-squares fit
-/// cannot be interrupted. The solvers contain no code for the shutdown. After a signal, a command
-/// usually ends by itself, between two solutions or after a round of the simulation. If the command
-/// does not end soon enough, the thread of the ShutdownWatchdog ends the process. The watchdog
-/// thread waits for file writes in progress (base/process/stop_request.hpp). Then the watchdog
-/// thread runs the registered actions (ShutdownHook) and ends the process without stack unwinding.
-/// ExitBlocker, ShutdownHook and OutputDirectory leave the files on disk in a consistent state.
+/// cannot be interrupted. The numerical solvers contain no code for the shutdown. After a signal, a
+/// command usually ends by itself, between two solutions or after a round of the simulation. If the
+/// command does not end soon enough, the thread of the ShutdownWatchdog ends the process. The
+/// watchdog thread waits for file writes in progress (base/process/stop_request.hpp). Then the
+/// watchdog thread runs the registered actions (ShutdownHook) and ends the process without stack
+/// unwinding. ProcessExitBlocker, ShutdownHook and OutputDirectory leave the files on disk in a
+/// consistent state.
 namespace fpkcheck::cli {
 
 /// Exception after SIGINT (Ctrl-C) or SIGTERM. exit_message() returns the message for the user.
@@ -50,17 +51,18 @@ class SignalHandlerGuard {
   std::vector<SavedAction> saved_actions_;
 };
 
-/// Sets the reaction of the program to signals. The default policy is `abort`.
+/// Sets the reaction of the program to stop signals. The default policy is `abort`.
 void set_interruption_policy(InterruptionPolicy policy);
 InterruptionPolicy interruption_policy();
 
-/// Throws an exception after a stop signal. Progress functions of long computations call this
-/// function.
+/// Throws the exception Interrupted after a stop signal. Progress functions of long computations
+/// call this function.
 /// @throws Interrupted after SIGINT or SIGTERM, unless the policy is finish_early
 void throw_if_interrupted();
 
-/// Registers an action for the lifetime of the ShutdownHook. Before the ShutdownWatchdog ends the
-/// process, the watchdog runs the registered actions in reverse order.
+/// Registers an action before a forced end of the process, for the lifetime of the ShutdownHook.
+/// Before the ShutdownWatchdog ends the process, the watchdog runs the registered actions in
+/// reverse order.
 class ShutdownHook {
  public:
   explicit ShutdownHook(std::function<void()> action);
@@ -104,12 +106,13 @@ class ShutdownWatchdog {
   std::thread thread_;
 };
 
-/// Notifies an existing ShutdownWatchdog of a signal. The function is async-signal-safe.
+/// Notifies an existing ShutdownWatchdog of a stop signal. The notification is async-signal-safe.
 void notify_watchdog();
 
-/// Claims the shutdown for the calling thread. A command that ended by itself after a signal calls
-/// claim_shutdown() before the command prints exit_message(). If the watchdog has already claimed
-/// the shutdown, claim_shutdown() does not return but waits for the exit of the process.
+/// Reserves the end of the process after a stop signal for the calling thread. A command that ended
+/// by itself after a signal calls claim_shutdown() before the command prints exit_message(). If the
+/// watchdog has already claimed the shutdown, claim_shutdown() does not return but waits for the
+/// exit of the process.
 void claim_shutdown();
 
 }  // namespace fpkcheck::cli

@@ -26,11 +26,11 @@ bool must_be_ok(const transform::Solution& solution, const SolveAndReportOptions
   const auto& identity = solution.identity;
   if (transform::is_external(identity)) return false;  // no solver computed this density
   if (solution.status == transform::Status::not_offered) {
-    return options.required == RequiredSolutions::all &&
+    return options.required == SolutionsRequiredForSuccess::all &&
            (options.requested_ids.empty() ||
             std::ranges::count(options.requested_ids, identity.id) > 0);
   }
-  if (options.required == RequiredSolutions::all) return true;
+  if (options.required == SolutionsRequiredForSuccess::all) return true;
   return identity.role != transform::SolutionRole::closure &&
          identity.impact != problem::ImpactCondition::delta;
 }
@@ -48,7 +48,7 @@ std::vector<std::string> failure_messages(const results::Run& run,
       }
     }
     for (const auto& solution : case_result.solutions) {
-      if (solution.is_ok() || !must_be_ok(solution, options)) continue;
+      if (solution.has_status_ok() || !must_be_ok(solution, options)) continue;
       lines.push_back(fmt::format("{}: {} {}: {}", case_result.name(), solution.id(),
                                   name(solution.status), solution.reason));
     }
@@ -57,7 +57,7 @@ std::vector<std::string> failure_messages(const results::Run& run,
 }
 
 // Thread-safe collection of the completed cases of a run, for a report after a stop signal.
-class FinishedCases {
+class FinishedCaseResults {
  public:
   void store_case(const results::CaseResult& case_result) {
     const std::lock_guard lock(mutex_);
@@ -85,7 +85,7 @@ class FinishedCases {
   std::vector<results::CaseResult> cases_;
 };
 
-// Returns a text on the cause of the stop and the missing results.
+// Returns a text on the cause of a stop of the program and on the missing results.
 std::string interruption_text(const std::vector<results::CaseResult>& cases,
                               const std::vector<problem::Problem>& problems, bool with_backward) {
   std::vector<std::string> missing, unbounded;
@@ -109,7 +109,7 @@ std::string interruption_text(const std::vector<results::CaseResult>& cases,
 
 // The partial report after a stop signal has no figures, since figures would take too long.
 void write_partial_report(const std::filesystem::path& directory, const results::Run& run) {
-  const base::ExitBlocker in_hand;
+  const base::ProcessExitBlocker in_hand;
   report::write_report(directory, run);
   set_exit_message(fmt::format("{} case{} written to {} (`fpkcheck report {}` draws the figures)",
                                run.cases.size(), run.cases.size() == 1 ? " was" : "s were",
@@ -118,7 +118,8 @@ void write_partial_report(const std::filesystem::path& directory, const results:
 
 }  // namespace
 
-int solve_and_report(const CommonArguments& common, const std::vector<methods::Method>& methods,
+int solve_and_report(const CommonCommandArguments& common,
+                     const std::vector<methods::Method>& methods,
                      const SolveAndReportOptions& options, const std::string& command_line) {
   const base::Stopwatch stopwatch;
   const auto problems = load_cases(common);
@@ -129,7 +130,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
 
   ProgressLine progress(common.quiet);
   results::Run run{results::current_program(command_line), {}};
-  FinishedCases finished;
+  FinishedCaseResults finished;
   std::atomic<bool> solved = false;
   const auto stopped_run = [&] {
     results::Run stopped{results::current_program(command_line), finished.cases_in_order(problems)};
@@ -151,10 +152,10 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
          .with_backward = options.with_backward,
          .progress =
              [&](const methods::RunProgress& at) {
-               // At the completed fraction 0 the running method has no partial result to keep.
+               // If its completed fraction is 0, the running method has no partial result to keep.
                set_interruption_policy(at.fraction > 0 ? options.interruption_policy
                                                        : InterruptionPolicy::abort);
-               progress.rewrite(at);
+               progress.show_progress(at);
              },
          .case_listener =
              [&](const results::CaseResult& case_result) { finished.store_case(case_result); },
@@ -162,7 +163,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
     solved = !base::stop_requested();
   } catch (const Interrupted&) {
   }
-  progress.erase();
+  progress.erase_line();
   const bool stopped = !solved;
   if (stopped) {
     run = stopped_run();
@@ -175,8 +176,8 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
     }
   }
 
-  const Supplement supplement =
-      options.supplement && !stopped ? options.supplement(run) : Supplement{};
+  const RunSupplement supplement =
+      options.supplement && !stopped ? options.supplement(run) : RunSupplement{};
   if (common.json) {
     print_output((supplement.json.empty() ? results::run_summary_text(run) : supplement.json) +
                  '\n');
@@ -187,7 +188,7 @@ int solve_and_report(const CommonArguments& common, const std::vector<methods::M
 
   bool all_drawn = true;
   if (common.out) {
-    const base::ExitBlocker in_hand;
+    const base::ProcessExitBlocker in_hand;
     for (const auto& warning :
          report::write_report(*common.out, run, common.figures, supplement.report)) {
       print_message(warning);

@@ -14,36 +14,37 @@
 namespace fpkcheck::cli {
 
 /// Solutions whose status must be `ok` for the exit code 0.
-enum class RequiredSolutions {
+enum class SolutionsRequiredForSuccess {
   all,
   references  ///< finite-volume solutions with the exact impact condition, and simulations
 };
 
-/// Additional output of a command in the report of a complete run.
-struct Supplement {
-  report::Supplement report;
+/// Additional output that a command such as `paper` adds to the report of a complete run.
+struct RunSupplement {
+  report::ReportSupplement report;
   std::string json;  ///< JSON text that the command prints instead of the summary
-  /// Reasons for a nonzero exit code, each in one line.
+  /// Reasons for a nonzero exit code of the command, each in one line.
   std::vector<std::string> failures;
 };
 
 struct SolveAndReportOptions {
-  RequiredSolutions required = RequiredSolutions::all;
+  SolutionsRequiredForSuccess required = SolutionsRequiredForSuccess::all;
   /// Ids of the solutions that the user requested by id. Only solutions that were requested by
-  /// family or solver may have the status `not_offered` without a failure of the command. The list
-  /// `requested_ids` is empty if all solutions were requested by id.
+  /// family or solver may have the status `not_offered` without a failure of the command. If all
+  /// solutions were requested by id, the list `requested_ids` is empty.
   std::vector<std::string> requested_ids = {};
   int threads = 0;  ///< number of threads for methods in parallel; 0 for one thread per processor
   InterruptionPolicy interruption_policy = InterruptionPolicy::abort;
   bool with_backward = false;  ///< whether to compute guaranteed bounds and moment error estimates
-  /// Optional function that returns the additional output of the command.
-  std::function<Supplement(const results::Run&)> supplement = {};
+  /// Optional function that returns the additional output of the command for the completed run.
+  std::function<RunSupplement(const results::Run&)> supplement = {};
 };
 
 /// Solves the cases by the methods and prints the table or the JSON. With --out, the report is
 /// written to a directory, which is prepared before the first solve.
 /// @return an ExitCode
-int solve_and_report(const CommonArguments& common, const std::vector<methods::Method>& methods,
+int solve_and_report(const CommonCommandArguments& common,
+                     const std::vector<methods::Method>& methods,
                      const SolveAndReportOptions& options, const std::string& command_line);
 
 }  // namespace fpkcheck::cli

@@ -35,7 +35,7 @@ examples:
 
 int study_grid_command(const CommandCall& call) {
   namespace po = boost::program_options;
-  ReportOfOneCase study_call(call);
+  OneCaseReportCommand study_call(call);
   study::GridStudyOptions options;
   const auto& grids = fd_fpk::description();
   base::Values grid_values{{"equation", std::string(name(options.equation))},
@@ -57,7 +57,7 @@ int study_grid_command(const CommandCall& call) {
   if (!study_call.parse(kGridUsage, own,
                         "write study-grid.json, .csv and a figure to DIR (default: no files)"))
     return kSuccess;
-  fd_fpk::Options scheme;
+  fd_fpk::FiniteVolumeOptions scheme;
   for (const auto& [key, value] : grid_values) {
     grids.assign(scheme, *grids.find(key), value, "--" + key);
   }
@@ -87,7 +87,7 @@ examples:
 
 int study_order_command(const CommandCall& call) {
   namespace po = boost::program_options;
-  ReportOfOneCase study_call(call);
+  OneCaseReportCommand study_call(call);
   std::string formulation_list, order_list;
   const std::string formulations_help = fmt::format(
       "formulations and variants as in ids of solutions, without epc- and -nN: {}; moment-cut is "
@@ -131,7 +131,7 @@ examples:
 )";
 
 int study_regularisation_command(const CommandCall& call) {
-  ReportOfOneCase study_call(call);
+  OneCaseReportCommand study_call(call);
   if (!study_call.parse(kRegularisationUsage, {},
                         "write study-regularisation.json and .csv to DIR (default: no files)"))
     return kSuccess;

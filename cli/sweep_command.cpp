@@ -59,7 +59,7 @@ constexpr const char* kDefaultSweepDirectory = "fpkcheck-sweep";
 constexpr const char* kDefaultMethods = "epc,fd";
 
 struct SweepArguments {
-  CommonArguments common;
+  CommonCommandArguments common;
   std::vector<std::string> vary;
   std::optional<std::string> design, methods, shard, closure_errors;
   std::optional<std::size_t> points;
@@ -135,7 +135,8 @@ void add_plan_options(const std::vector<base::IniSetting>& lines,
     const auto option = std::ranges::find(options, line.key, &base::Parameter::name);
     if (option == options.end()) {
       throw InputError(fmt::format("{}: unknown key {}; known keys of [sweep]: {}", line.where,
-                                   base::in_quotes(line.path()), fmt::join(known, ", ")));
+                                   base::in_quotes(line.section_and_key()),
+                                   fmt::join(known, ", ")));
     }
     if (contains(given, line.key)) continue;
     given.push_back({line.key, base::parse_value(**option, line.text,
@@ -149,7 +150,8 @@ sweep::SweepPlan make_sweep_plan(const SweepArguments& arguments,
   if (arguments.common.cases.size() != 1) {
     throw InputError("a sweep takes one case or plan; name it");
   }
-  const auto text = sweep::read_plan(arguments.common.cases.front(), arguments.common.overrides);
+  const auto text =
+      sweep::read_sweep_plan(arguments.common.cases.front(), arguments.common.overrides);
   sweep::SweepPlan plan{.base = text.base, .axes = text.axes};
   for (const auto& one : arguments.vary) {
     auto axis = parse_varied_key(one);
@@ -161,9 +163,9 @@ sweep::SweepPlan make_sweep_plan(const SweepArguments& arguments,
       plan.axes.push_back(std::move(axis));
     }
   }
-  plan.design = text.design.value_or(sweep::PlanDesign::product);
+  plan.design = text.design.value_or(sweep::SweepPlanDesign::product);
   if (arguments.design)
-    plan.design = base::parse_enum<sweep::PlanDesign>("--design", *arguments.design);
+    plan.design = base::parse_enum<sweep::SweepPlanDesign>("--design", *arguments.design);
   plan.closure_errors = text.closure_errors.value_or(sweep::ClosureErrorSource::reference);
   if (arguments.closure_errors) {
     plan.closure_errors =
@@ -178,7 +180,7 @@ sweep::SweepPlan make_sweep_plan(const SweepArguments& arguments,
   add_plan_options(text.options, registry, given);
   given.push_back({"threads", std::int64_t{1}});
   given.push_back({"stepper", std::string("direct")});
-  plan.methods = registry.select_methods(
+  plan.methods = registry.methods_selected_by_list(
       arguments.methods.value_or(text.methods.value_or(kDefaultMethods)), given);
   return plan;
 }
@@ -186,7 +188,7 @@ sweep::SweepPlan make_sweep_plan(const SweepArguments& arguments,
 void write_sweep_results(const SweepArguments& arguments, const sweep::SweepResults& results,
                          const CommandCall& call, double seconds) {
   const std::filesystem::path directory = *arguments.common.out;
-  const base::ExitBlocker in_hand;
+  const base::ProcessExitBlocker in_hand;
   sweep::write_sweep_tables(directory, results, call.command_line);
   set_exit_message("sweep.csv and sweep.nc were written, but not report.html");
   if (arguments.common.json) {
@@ -212,7 +214,7 @@ int merge_shards(const SweepArguments& arguments, const CommandCall& call,
   }
   std::vector<std::filesystem::path> directories(arguments.common.cases.begin(),
                                                  arguments.common.cases.end());
-  auto merged = sweep::merge_journals(directories, call.registry);
+  auto merged = sweep::merge_sweep_journals(directories, call.registry);
   const OutputDirectory directory(arguments.common.out);
   for (const auto& remark : merged.remarks) print_message(remark);
   write_sweep_results(arguments, merged.results, call, stopwatch.seconds());
@@ -220,11 +222,11 @@ int merge_shards(const SweepArguments& arguments, const CommandCall& call,
 }
 
 // The forecast uses the times of the points in the journal of an earlier sweep of this plan.
-std::vector<sweep::PointResult> load_solved_points(const sweep::SweepPlan& plan,
-                                                   const std::filesystem::path& journal) {
+std::vector<sweep::SweepPointResult> load_solved_points(const sweep::SweepPlan& plan,
+                                                        const std::filesystem::path& journal) {
   std::error_code ignored;
   if (!std::filesystem::exists(journal, ignored)) return {};
-  return sweep::read_journal(journal, plan).points;
+  return sweep::read_sweep_journal(journal, plan).points;
 }
 
 int print_forecast(const SweepArguments& arguments, const sweep::SweepPlan& plan, int threads) {
@@ -243,22 +245,23 @@ int print_forecast(const SweepArguments& arguments, const sweep::SweepPlan& plan
 // Runs a sweep. Only the process that writes the journal (under MPI the first rank) shows progress
 // and writes results.
 int run_sweep(const SweepArguments& arguments, const sweep::SweepPlan& plan,
-              const sweep::Shard& shard, int threads, base::Communicator* ranks,
+              const sweep::SweepShard& shard, int threads, base::Communicator* ranks,
               const CommandCall& call, const base::Stopwatch& stopwatch) {
-  const CommonArguments& common = arguments.common;
+  const CommonCommandArguments& common = arguments.common;
   ProgressLine line(common.quiet);
-  const int workers = threads * (ranks == nullptr ? 1 : ranks->size());
-  const auto report_progress = [&](const sweep::PointQueue::State& at) {
+  const int workers = threads * (ranks == nullptr ? 1 : ranks->process_count());
+  const auto report_progress = [&](const sweep::SweepPointQueue::State& at) {
     set_exit_message(fmt::format("{} of {} points are in {}/{} (the same command continues)",
                                  at.done, at.total, *common.out, shard.journal_name()));
-    line.rewrite({.done = at.done,
-                  .total = at.total,
-                  .case_name = plan.base.name,
-                  .method = "points",
-                  .fraction = 0,
-                  .note = at.remaining_seconds
-                              ? sweep::duration_text(*at.remaining_seconds / workers) + " left"
-                              : ""});
+    line.show_progress(
+        {.done = at.done,
+         .total = at.total,
+         .case_name = plan.base.name,
+         .method = "points",
+         .fraction = 0,
+         .note = at.remaining_seconds
+                     ? sweep::duration_text(*at.remaining_seconds / workers) + " left"
+                     : ""});
   };
   std::optional<OutputDirectory> directory;
   std::optional<sweep::JournaledPointQueue> progress;
@@ -274,9 +277,9 @@ int run_sweep(const SweepArguments& arguments, const sweep::SweepPlan& plan,
   if (ranks != nullptr && !ranks->is_first_rank()) {
     set_exit_message("the finished points are in the journal of rank 0");
   }
-  sweep::solve_plan(plan, *common.out, ranks, threads, open_queue);
+  sweep::solve_sweep_plan(plan, *common.out, ranks, threads, open_queue);
   if (!progress) return kSuccess;
-  line.erase();
+  line.erase_line();
   if (base::stop_requested()) return kFailure;  // the caller sets the exit code of the signal
 
   if (shard.of > 1) {
@@ -299,7 +302,7 @@ int run_sweep(const SweepArguments& arguments, const sweep::SweepPlan& plan,
 int sweep_command(const CommandCall& call) {
   const base::Stopwatch stopwatch;
   SweepArguments arguments;
-  CommonArguments& common = arguments.common;
+  CommonCommandArguments& common = arguments.common;
   const auto own = sweep_options(arguments, call.registry);
   if (!parse_case_arguments(call.arguments, kSweepUsage, own, common,
                             "write journal, tables and report.html to DIR (default: "
@@ -310,7 +313,7 @@ int sweep_command(const CommandCall& call) {
   if (arguments.merge) return merge_shards(arguments, call, stopwatch);
   const int threads = base::resolve_thread_count(requested_thread_count(arguments.given));
   std::erase_if(arguments.given, [](const auto& option) { return option.name == "threads"; });
-  const auto shard = arguments.shard ? sweep::parse_shard(*arguments.shard) : sweep::Shard{};
+  const auto shard = arguments.shard ? sweep::parse_shard(*arguments.shard) : sweep::SweepShard{};
   const auto plan = make_sweep_plan(arguments, call.registry);
   if (arguments.dry_run) return print_forecast(arguments, plan, threads);
 

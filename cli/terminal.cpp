@@ -19,8 +19,8 @@ namespace fpkcheck::cli {
 
 void prepare_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // The function open() returns the lowest free descriptor. The lowest free descriptor is
-    // `stream`, since all smaller descriptors are open.
+    // The system call open() returns the lowest free file descriptor, which is `stream`, since all
+    // smaller descriptors are open.
     if (fcntl(stream, F_GETFD) == -1 && open("/dev/null", O_RDWR) != stream) std::abort();
   }
   std::signal(SIGPIPE, SIG_IGN);
@@ -72,9 +72,9 @@ std::string progress_text(const methods::RunProgress& progress, double seconds,
 
 ProgressLine::ProgressLine(bool silent) : active_(!silent && stderr_is_interactive()) {}
 
-ProgressLine::~ProgressLine() { erase(); }
+ProgressLine::~ProgressLine() { erase_line(); }
 
-void ProgressLine::rewrite(const methods::RunProgress& progress) {
+void ProgressLine::show_progress(const methods::RunProgress& progress) {
   throw_if_interrupted();
   if (!active_) return;
   const auto now = std::chrono::steady_clock::now();
@@ -88,13 +88,13 @@ void ProgressLine::rewrite(const methods::RunProgress& progress) {
   is_visible_ = true;
 }
 
-void ProgressLine::erase() {
+void ProgressLine::erase_line() {
   if (is_visible_) fmt::print(stderr, "\r\033[K");
   std::fflush(stderr);
   is_visible_ = false;
 }
 
-report::TextFormat terminal_format() {
+report::TerminalTextFormat terminal_format() {
   constexpr std::size_t kMinWidth = 80, kMaxWidth = 100;
   const auto is = [](const char* variable, auto condition) {
     const char* const value = std::getenv(variable);

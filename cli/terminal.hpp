@@ -13,11 +13,11 @@ namespace fpkcheck::cli {
 
 /// Connects closed standard streams to /dev/null, since otherwise the next opened file would
 /// receive the output of a closed stream. SIGPIPE is ignored, so that a closed pipe (`fpkcheck run
-/// | head -1`) does not end the program before all files are written. The function must be called
-/// before any file is opened.
+/// | head -1`) does not end the program before all files are written. This preparation of the
+/// streams must precede the opening of any file.
 void prepare_standard_streams();
 
-/// Writes to standard output. A write error does not stop the program; run_program() finally
+/// Writes a text to standard output. A write error does not stop the program; run_program() finally
 /// reports the error.
 void print_output(std::string_view text);
 
@@ -25,14 +25,14 @@ void print_output(std::string_view text);
 /// errors.
 void print_message(std::string_view message);
 
-/// Returns the text format of standard output. The text width is the width of the terminal, limited
-/// to 80 .. 100 columns, or 100 columns without a terminal. Colours are used on a terminal, unless
-/// NO_COLOR is set and not empty, or TERM is "dumb".
-report::TextFormat terminal_format();
+/// Returns the text format of standard output. The width of the text is the width of the terminal,
+/// limited to 80 .. 100 columns, or 100 columns without a terminal. Colours are used on a terminal,
+/// unless NO_COLOR is set and not empty, or TERM is "dumb".
+report::TerminalTextFormat terminal_format();
 
 /// Returns the progress of a run as text: completed solutions, elapsed time, and the running method
-/// with its completed fraction. Above a completed fraction of 2 %, the text has the estimated
-/// remaining time.
+/// with its completed fraction. Above a completed fraction of 2 %, the progress text has the
+/// estimated remaining time.
 /// @param seconds time since the start of the run
 /// @param method_seconds time since the start of the running method on its case
 std::string progress_text(const methods::RunProgress& progress, double seconds,
@@ -52,15 +52,16 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   /// @throws Interrupted after a stop signal (throw_if_interrupted()), even if nothing is printed
-  void rewrite(const methods::RunProgress& progress);
+  void show_progress(const methods::RunProgress& progress);
   /// Erases the progress line; must be called before results are printed.
-  void erase();
+  void erase_line();
 
  private:
   bool is_visible_ = false;
   bool active_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  /// Start time of each method on each case; several methods may run in parallel.
+  /// Start time of the computation of each case by each method; several methods may run in
+  /// parallel.
   std::map<std::pair<std::string, std::string>, std::chrono::steady_clock::time_point> began_;
 };
 

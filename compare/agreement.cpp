@@ -16,7 +16,7 @@ double critical_sampling_l1_distance(double quantile_99) {
   return kQuantileOfLevel / kQuantile99 * quantile_99;
 }
 
-std::optional<double> sampling_l1_quantile_99(const transform::SamplingError& sampling,
+std::optional<double> sampling_l1_quantile_99(const transform::MarginalSamplingErrors& sampling,
                                               StateVariable variable) {
   constexpr double kQuantileToMeanRatio = 2;
   if (const auto most = l1_error_quantile_99(sampling, variable)) return most;
@@ -24,12 +24,13 @@ std::optional<double> sampling_l1_quantile_99(const transform::SamplingError& sa
   return std::nullopt;
 }
 
-std::optional<double> critical_l1_distance(const Solution& first, const Solution& second,
-                                           StateVariable variable, bool over_smooth_bins) {
+std::optional<double> largest_explained_l1_distance(const Solution& first, const Solution& second,
+                                                    StateVariable variable, bool over_smooth_bins) {
   double sampling_l1 = 0, stated = 0;
   int estimate_count = 0;
   for (const Solution* solution : {&first, &second}) {
-    const auto& sampling = over_smooth_bins ? best_sampling_error(*solution) : solution->sampling;
+    const auto& sampling =
+        over_smooth_bins ? smallest_known_sampling_errors(*solution) : solution->sampling;
     const auto most = sampling ? sampling_l1_quantile_99(*sampling, variable) : std::nullopt;
     sampling_l1 = std::hypot(sampling_l1, most.value_or(0));
     if (solution->error) stated += l1_error_of_marginal(*solution->error, variable);
@@ -40,12 +41,13 @@ std::optional<double> critical_l1_distance(const Solution& first, const Solution
 }
 
 bool solutions_agree(const Solution& first, const Solution& second,
-                     std::span<const PairDistances> pairs) {
+                     std::span<const SolutionPairDistances> pairs) {
   return std::ranges::all_of(transform::kVariables, [&](StateVariable variable) {
-    const PairDistances* pair = find_pair_distances(pairs, first.id(), second.id(), variable);
+    const SolutionPairDistances* pair =
+        find_pair_distances(pairs, first.id(), second.id(), variable);
     if (pair == nullptr || !std::isfinite(pair->distances.l1)) return true;
     const auto most =
-        critical_l1_distance(first, second, variable, pair->l1_standard_error.has_value());
+        largest_explained_l1_distance(first, second, variable, pair->l1_standard_error.has_value());
     return !most || pair->distances.l1 <= *most;
   });
 }

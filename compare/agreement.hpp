@@ -25,7 +25,7 @@ double critical_sampling_l1_distance(double quantile_99);
 /// Returns the 99 % quantile of the L1 sampling error of a marginal density. If only the expected
 /// L1 error is known, the result is twice the expected error, which the errors of single runs
 /// nearly reach. The result is empty if both the quantile and the expected error are unknown.
-std::optional<double> sampling_l1_quantile_99(const transform::SamplingError& sampling,
+std::optional<double> sampling_l1_quantile_99(const transform::MarginalSamplingErrors& sampling,
                                               transform::StateVariable variable);
 
 /// Returns the critical L1 distance of two solutions: the largest distance that their errors
@@ -35,14 +35,14 @@ std::optional<double> sampling_l1_quantile_99(const transform::SamplingError& sa
 /// smooth bins, whose sampling errors are far smaller, the result is empty unless both solutions
 /// have a sampling error or an error estimate.
 /// @param over_smooth_bins whether the L1 distance is over smooth bins (B-spline weights)
-std::optional<double> critical_l1_distance(const transform::Solution& first,
-                                           const transform::Solution& second,
-                                           transform::StateVariable variable,
-                                           bool over_smooth_bins);
+std::optional<double> largest_explained_l1_distance(const transform::Solution& first,
+                                                    const transform::Solution& second,
+                                                    transform::StateVariable variable,
+                                                    bool over_smooth_bins);
 
 /// Returns whether the L1 distances of two solutions in p(y) and in p(y') are at most their
 /// critical L1 distances. The result is `true` if a distance or an error estimate is missing.
 bool solutions_agree(const transform::Solution& first, const transform::Solution& second,
-                     std::span<const PairDistances> pairs);
+                     std::span<const SolutionPairDistances> pairs);
 
 }  // namespace fpkcheck::compare

@@ -29,7 +29,7 @@ const Solution* select_reference(std::span<const Solution> solutions) {
 
 std::optional<ReferenceConfirmation> find_reference_confirmation(
     const Solution& reference, std::span<const Solution> solutions,
-    std::span<const PairDistances> pairs) {
+    std::span<const SolutionPairDistances> pairs) {
   const Solution* second = nullptr;
   for (const auto& solution : solutions) {
     if (&solution != &reference && is_solution_of_full_problem(solution)) second = &solution;
@@ -40,7 +40,8 @@ std::optional<ReferenceConfirmation> find_reference_confirmation(
 
 // Returns whether the L1 distances of p(y) and p(y') from the reference are at most its error
 // estimates.
-bool is_within_reference_error(const Assessment& assessment, const SolutionAssessment& solution) {
+bool is_within_reference_error(const SolutionsAssessment& assessment,
+                               const SolutionAssessment& solution) {
   const auto within = [](const std::optional<double>& l1, double error) {
     return !l1 || (std::isfinite(error) && *l1 <= error);
   };
@@ -48,25 +49,27 @@ bool is_within_reference_error(const Assessment& assessment, const SolutionAsses
          within(solution.ydot, assessment.reference_ydot_l1);
 }
 
-Agreement classify_agreement(const Assessment& assessment, const Solution& solution,
-                             const SolutionAssessment& assessed) {
-  if (assessed.id == assessment.reference) return Agreement::reference;
+AgreementWithReference classify_agreement(const SolutionsAssessment& assessment,
+                                          const Solution& solution,
+                                          const SolutionAssessment& assessed) {
+  if (assessed.id == assessment.reference) return AgreementWithReference::reference;
   if (!solution.has_density() || solution.status == transform::Status::inadmissible)
-    return Agreement::no_density;
-  const auto l1 = assessed.largest_l1();
-  if (!l1) return Agreement::no_reference;
-  if (is_within_reference_error(assessment, assessed)) return Agreement::indistinguishable;
-  return *l1 <= kCloseL1 ? Agreement::close : Agreement::distant;
+    return AgreementWithReference::no_density;
+  const auto l1 = assessed.largest_l1_distance();
+  if (!l1) return AgreementWithReference::no_reference;
+  if (is_within_reference_error(assessment, assessed))
+    return AgreementWithReference::indistinguishable;
+  return *l1 <= kCloseL1 ? AgreementWithReference::close : AgreementWithReference::distant;
 }
 
 double l1_sum(const SolutionAssessment& closure) { return *closure.y + *closure.ydot; }
 
-void rank_closures(std::span<const Solution> solutions, Assessment& assessment) {
+void rank_closures(std::span<const Solution> solutions, SolutionsAssessment& assessment) {
   std::vector<SolutionAssessment*> closures;
   for (std::size_t k = 0; k < solutions.size(); ++k) {
     auto& assessed = assessment.solutions[k];
     const bool is_ranked =
-        solutions[k].identity.role == SolutionRole::closure && solutions[k].is_ok();
+        solutions[k].identity.role == SolutionRole::closure && solutions[k].has_status_ok();
     if (is_ranked && assessed.y && assessed.ydot) closures.push_back(&assessed);
   }
   std::ranges::stable_sort(closures, {}, [](const auto* closure) { return l1_sum(*closure); });
@@ -77,7 +80,7 @@ void rank_closures(std::span<const Solution> solutions, Assessment& assessment) 
 }  // namespace
 
 double l1_error_estimate(const Solution& solution, StateVariable variable) {
-  const auto& sampling = best_sampling_error(solution);
+  const auto& sampling = smallest_known_sampling_errors(solution);
   const auto by_chance = sampling ? expected_l1_error(*sampling, variable) : std::nullopt;
   if (!solution.error && !by_chance) return kUnknownError;
   const double by_method = solution.error ? l1_error_of_marginal(*solution.error, variable) : 0;
@@ -93,35 +96,36 @@ bool is_solution_of_full_problem(const Solution& solution) {
   const auto& identity = solution.identity;
   const bool independent =
       identity.role == SolutionRole::equation || identity.role == SolutionRole::simulation;
-  return solution.is_ok() && solution.has_density() && independent &&
+  return solution.has_status_ok() && solution.has_density() && independent &&
          identity.equation == DensityEquation::kf && identity.impact &&
          *identity.impact != ImpactCondition::delta;
 }
 
-std::optional<double> SolutionAssessment::largest_l1() const {
+std::optional<double> SolutionAssessment::largest_l1_distance() const {
   if (y && ydot) return std::max(*y, *ydot);
   return y ? y : ydot;
 }
 
 bool SolutionAssessment::reproduces_reference() const {
-  return agreement == Agreement::reference || agreement == Agreement::indistinguishable ||
-         agreement == Agreement::close;
+  return agreement == AgreementWithReference::reference ||
+         agreement == AgreementWithReference::indistinguishable ||
+         agreement == AgreementWithReference::close;
 }
 
-bool Assessment::is_reference_selected_by_error() const {
+bool SolutionsAssessment::is_reference_selected_by_error() const {
   return std::isfinite(reference_y_l1 + reference_ydot_l1);
 }
 
-double Assessment::largest_reference_l1_error() const {
+double SolutionsAssessment::largest_reference_l1_error() const {
   return std::max(reference_y_l1, reference_ydot_l1);
 }
 
-const SolutionAssessment* Assessment::find(std::string_view id) const {
+const SolutionAssessment* SolutionsAssessment::find_solution_assessment(std::string_view id) const {
   const auto found = std::ranges::find(solutions, id, &SolutionAssessment::id);
   return found == solutions.end() ? nullptr : &*found;
 }
 
-std::vector<const SolutionAssessment*> Assessment::ranked_closures() const {
+std::vector<const SolutionAssessment*> SolutionsAssessment::ranked_closures() const {
   std::vector<const SolutionAssessment*> closures;
   for (const auto& solution : solutions) {
     if (solution.rank) closures.push_back(&solution);
@@ -130,16 +134,16 @@ std::vector<const SolutionAssessment*> Assessment::ranked_closures() const {
   return closures;
 }
 
-bool Assessment::are_closures_indistinguishable(const SolutionAssessment& first,
-                                                const SolutionAssessment& second) const {
+bool SolutionsAssessment::are_closures_indistinguishable(const SolutionAssessment& first,
+                                                         const SolutionAssessment& second) const {
   return is_reference_selected_by_error() &&
          std::abs(l1_sum(first) - l1_sum(second)) <= reference_y_l1 + reference_ydot_l1;
 }
 
-Assessment assess_solutions(std::span<const Solution> solutions,
-                            std::span<const PairDistances> pairs,
-                            std::span<const ErrorBudgetRow> budget) {
-  Assessment assessment;
+SolutionsAssessment assess_solutions(std::span<const Solution> solutions,
+                                     std::span<const SolutionPairDistances> pairs,
+                                     std::span<const ErrorBudgetRow> budget) {
+  SolutionsAssessment assessment;
   if (const Solution* reference = select_reference(solutions)) {
     const auto known = [&](StateVariable variable) {
       const double error = l1_error_estimate(*reference, variable);

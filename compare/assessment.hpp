@@ -13,8 +13,8 @@
 #include "transform/solution.hpp"
 
 /// The assessment of the solutions of a case: the reference, the agreement of each solution with
-/// the reference, and the ranks of the closures. Tables, plots and sentences apply no criteria
-/// other than this assessment.
+/// the reference, and the ranks of the closures. The tables, plots and sentences of reports apply
+/// no criteria other than this assessment.
 namespace fpkcheck::compare {
 
 /// Largest L1 distance from the reference of a `close` solution, in each marginal density. The
@@ -22,8 +22,8 @@ namespace fpkcheck::compare {
 inline constexpr double kCloseL1 = 0.02;
 
 /// Returns the L1 error estimate of a marginal density. The result is the error estimate of the
-/// method, or the expected sampling error if the method has no error estimate. If both are missing,
-/// the result is infinity.
+/// method, or the expected sampling error if the method has no error estimate. If a solution has
+/// neither an error estimate nor an expected sampling error, the result is infinity.
 double l1_error_estimate(const transform::Solution& solution, transform::StateVariable variable);
 double l1_error_estimate(const transform::Solution& solution);
 
@@ -32,7 +32,7 @@ double l1_error_estimate(const transform::Solution& solution);
 /// (`kf`) and the exact impact condition.
 bool is_solution_of_full_problem(const transform::Solution& solution);
 
-enum class Agreement {
+enum class AgreementWithReference {
   absent,
   no_density,    ///< solution without a density, or with an inadmissible density
   no_reference,  ///< solution with a density but without a distance from a reference
@@ -41,31 +41,34 @@ enum class Agreement {
   close,              ///< L1 distances of p(y) and p(y') at most kCloseL1
   distant             ///< L1 distance of p(y) or of p(y') above kCloseL1
 };
-inline constexpr base::EnumEntry<Agreement> kAgreementNames[] = {
-    {Agreement::absent, "absent"},
-    {Agreement::no_density, "no_density"},
-    {Agreement::no_reference, "no_reference"},
-    {Agreement::reference, "reference"},
-    {Agreement::indistinguishable, "indistinguishable"},
-    {Agreement::close, "close"},
-    {Agreement::distant, "distant"}};
-constexpr std::span<const base::EnumEntry<Agreement>> enumerator_names(Agreement) {
+inline constexpr base::EnumEntry<AgreementWithReference> kAgreementNames[] = {
+    {AgreementWithReference::absent, "absent"},
+    {AgreementWithReference::no_density, "no_density"},
+    {AgreementWithReference::no_reference, "no_reference"},
+    {AgreementWithReference::reference, "reference"},
+    {AgreementWithReference::indistinguishable, "indistinguishable"},
+    {AgreementWithReference::close, "close"},
+    {AgreementWithReference::distant, "distant"}};
+constexpr std::span<const base::EnumEntry<AgreementWithReference>> enumerator_names(
+    AgreementWithReference) {
   return kAgreementNames;
 }
-constexpr std::string_view name(Agreement agreement) { return base::name_of(agreement); }
+constexpr std::string_view name(AgreementWithReference agreement) {
+  return base::name_of(agreement);
+}
 
 /// The agreement of one solution with the reference of its case. For an external solution with only
 /// one marginal density, this marginal density determines the agreement.
 struct SolutionAssessment {
   std::string id = {};
-  Agreement agreement = Agreement::absent;
+  AgreementWithReference agreement = AgreementWithReference::absent;
   std::optional<double> y = {}, ydot = {};  ///< L1 distances from the reference, if known
   /// Rank of a closure by the sum of the L1 distances of p(y) and p(y'); the closest closure has
   /// rank 1. Only `ok` closures with known distances have a rank.
   std::optional<int> rank = {};
 
   /// Returns the larger of the known L1 distances `y` and `ydot`.
-  std::optional<double> largest_l1() const;
+  std::optional<double> largest_l1_distance() const;
   /// Returns whether the solution is the reference, is indistinguishable from the reference, or has
   /// distances of at most kCloseL1.
   bool reproduces_reference() const;
@@ -83,7 +86,7 @@ struct ReferenceConfirmation {
   bool operator==(const ReferenceConfirmation&) const = default;
 };
 
-struct Assessment {
+struct SolutionsAssessment {
   /// Id of the reference: the solution of the full problem with the smallest sum of the L1 error
   /// estimates of p(y) and p(y'). If error estimates are equal or missing, the most trusted
   /// solution is the reference. The id is empty if no solution satisfies
@@ -100,7 +103,7 @@ struct Assessment {
   bool is_reference_selected_by_error() const;
   /// Returns the larger of the L1 error estimates of p(y) and p(y') of the reference.
   double largest_reference_l1_error() const;
-  const SolutionAssessment* find(std::string_view id) const;
+  const SolutionAssessment* find_solution_assessment(std::string_view id) const;
   /// Returns the closures with a rank, in the order of their ranks.
   std::vector<const SolutionAssessment*> ranked_closures() const;
   /// Returns whether the sums of the L1 distances of two ranked closures differ by at most the
@@ -108,14 +111,14 @@ struct Assessment {
   bool are_closures_indistinguishable(const SolutionAssessment& first,
                                       const SolutionAssessment& second) const;
 
-  bool operator==(const Assessment&) const = default;
+  bool operator==(const SolutionsAssessment&) const = default;
 };
 
 /// Assesses the solutions of a case. Without distances in `pairs`, the assessment has the
 /// reference, but no agreement and no ranks.
 /// @param solutions of the case by increasing trust
-Assessment assess_solutions(std::span<const transform::Solution> solutions,
-                            std::span<const PairDistances> pairs = {},
-                            std::span<const ErrorBudgetRow> budget = {});
+SolutionsAssessment assess_solutions(std::span<const transform::Solution> solutions,
+                                     std::span<const SolutionPairDistances> pairs = {},
+                                     std::span<const ErrorBudgetRow> budget = {});
 
 }  // namespace fpkcheck::compare

@@ -28,10 +28,10 @@ bool has_marginal_over_bins(const Solution& solution, StateVariable variable,
 ///        empty
 /// @param a, b indices in `sharp` and `smooth` of the two compared marginal densities
 /// @param with_sampling_error ids of the solutions with sampling errors over uniform bins
-PairDistances compare_pair(const std::vector<SolutionMarginal>& sharp,
-                           const std::vector<SolutionMarginal>& smooth, std::size_t a,
-                           std::size_t b, const Solution* smooth_reference,
-                           const std::set<std::string>& with_sampling_error) {
+SolutionPairDistances compare_pair(const std::vector<SolutionMarginal>& sharp,
+                                   const std::vector<SolutionMarginal>& smooth, std::size_t a,
+                                   std::size_t b, const Solution* smooth_reference,
+                                   const std::set<std::string>& with_sampling_error) {
   const auto& [from, variable, one] = sharp[a];
   const auto& [to, same_variable, other] = sharp[b];
   const bool is_over_smooth_bins =
@@ -45,13 +45,14 @@ PairDistances compare_pair(const std::vector<SolutionMarginal>& sharp,
                             *transform::find_smooth_bin_estimate(*smooth_reference, variable))};
 }
 
-// Replaces negative densities by 0 in `ok` solutions of discretised equations. Such negative
-// densities are of the order of the discretisation error, and `min_density` states their size.
+// Replaces negative densities by 0 in `ok` solutions of discretised equations. Negative densities
+// in `ok` solutions are of the order of the discretisation error, and Solution::min_density states
+// the most negative density.
 void clip_negative_densities(std::span<const Solution> solutions,
                              std::vector<SolutionMarginal>& marginals) {
   for (auto& [id, variable, marginal] : marginals) {
     const Solution* solution = transform::find_solution(solutions, id);
-    if (solution == nullptr || !solution->is_ok()) continue;
+    if (solution == nullptr || !solution->has_status_ok()) continue;
     if (solution->identity.role != transform::SolutionRole::equation) continue;
     for (double& density : marginal.density) density = std::max(0.0, density);
   }
@@ -59,10 +60,10 @@ void clip_negative_densities(std::span<const Solution> solutions,
 
 }  // namespace
 
-const PairDistances* find_pair_distances(std::span<const PairDistances> pairs,
-                                         std::string_view first, std::string_view second,
-                                         StateVariable variable) {
-  const auto found = std::ranges::find_if(pairs, [&](const PairDistances& pair) {
+const SolutionPairDistances* find_pair_distances(std::span<const SolutionPairDistances> pairs,
+                                                 std::string_view first, std::string_view second,
+                                                 StateVariable variable) {
+  const auto found = std::ranges::find_if(pairs, [&](const SolutionPairDistances& pair) {
     const bool same =
         (pair.a == first && pair.b == second) || (pair.a == second && pair.b == first);
     return same && pair.variable == variable;
@@ -70,16 +71,17 @@ const PairDistances* find_pair_distances(std::span<const PairDistances> pairs,
   return found == pairs.end() ? nullptr : &*found;
 }
 
-std::optional<double> l1_distance_between(std::span<const PairDistances> pairs,
+std::optional<double> l1_distance_between(std::span<const SolutionPairDistances> pairs,
                                           std::string_view first, std::string_view second,
                                           StateVariable variable) {
-  const PairDistances* pair = find_pair_distances(pairs, first, second, variable);
+  const SolutionPairDistances* pair = find_pair_distances(pairs, first, second, variable);
   if (pair == nullptr || !std::isfinite(pair->distances.l1)) return std::nullopt;
   return pair->distances.l1;
 }
 
-Comparison compare_solutions(const ComparisonAxes& axes, std::span<const Solution> solutions) {
-  Comparison result;
+SolutionComparison compare_solutions(const ComparisonAxes& axes,
+                                     std::span<const Solution> solutions) {
+  SolutionComparison result;
   const Solution* smooth_reference = find_smooth_reference(solutions);
   std::set<std::string> with_sampling_error;
   for (const auto& solution : solutions) {

@@ -32,9 +32,9 @@ std::vector<double> make_uniform_bins(double from, double to) {
   return edges;
 }
 
-// Returns edges of bins over [0, end], or over [-end, end] if `symmetric`. Symmetric edges have
-// exactly equal magnitudes. The middle edge is exactly 0, since p(y, y') at the wall is
-// discontinuous at y' = 0.
+// Returns edges of bins over [0, end], or over [-end, end] if `symmetric`. The edges of symmetric
+// bins come in pairs of exactly equal magnitude. The middle edge of symmetric bins is exactly 0,
+// since p(y, y') at the wall is discontinuous at y' = 0.
 std::vector<double> make_divided_bins(double end, bool symmetric, int divisions) {
   std::vector<double> edges;
   const double width = end * (symmetric ? 2 : 1) / kBins;
@@ -86,22 +86,22 @@ transform::Marginal merge_divided_bins(const ComparisonAxes& axes,
                                        const transform::Marginal& marginal) {
   if (axes.divisions == 0) return marginal;
   transform::Marginal even{comparison_bin_edges(undivided_axes(axes), variable), {}, {}, {}};
-  // The squared half-widths of the confidence intervals of the parts are added.
+  // The squared half-widths of the confidence intervals of the parts of a divided bin are added.
   const auto interval_half_width = [&](const std::vector<double>& ends, std::size_t from,
                                        std::size_t to) {
     double sum = 0;
     for (std::size_t k = from; k < to; ++k) {
-      sum += std::pow((ends[k] - marginal.density[k]) * marginal.width(k), 2);
+      sum += std::pow((ends[k] - marginal.density[k]) * marginal.bin_width(k), 2);
     }
     return std::sqrt(sum);
   };
   std::size_t part = 0;
   for (std::size_t b = 0; b + 1 < even.edges.size(); ++b) {
     const std::size_t first = part;
-    const double width = even.width(b);
+    const double width = even.bin_width(b);
     double mass = 0;
     for (; part < marginal.size() && marginal.edges[part] < even.edges[b + 1]; ++part) {
-      mass += marginal.density[part] * marginal.width(part);
+      mass += marginal.density[part] * marginal.bin_width(part);
     }
     even.density.push_back(mass / width);
     if (marginal.lower.empty()) continue;

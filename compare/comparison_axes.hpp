@@ -23,8 +23,9 @@ struct ComparisonAxes {
 /// and y_s is the static deflection under the mean of the impulses. If the marginal densities are
 /// unbounded at rest (problem::impulses_per_decay_time below 1), the bins at 0 are divided at 1/4,
 /// 1/16 and 1/64 of their width, to resolve the peak at rest. For oscillators other than the
-/// paper's, the outermost edges are the limits of problem::scales, and no bin is divided. Since the
-/// bins depend only on the problem, a simulation can use them for its histogram.
+/// paper's, the outermost edges are the ends of the motion in problem::motion_scales(), and no bin
+/// is divided. Since the comparison bins depend only on the problem, a simulation can use the
+/// comparison bins for its histogram.
 ComparisonAxes comparison_axes(const problem::Problem& problem);
 
 const std::vector<double>& comparison_bin_edges(const ComparisonAxes& axes,

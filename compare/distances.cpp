@@ -45,7 +45,7 @@ TailDistance tail_distance(const Marginal& a, const Marginal& b, double from, do
       tail.mean_abs += std::abs(std::log10(a.density[k] / b.density[k]));
       ++tail.bins;
     } else {
-      ++tail.bins_omitted;
+      ++tail.omitted_bin_count;
     }
   }
   tail.mean_abs = tail.bins > 0 ? tail.mean_abs / tail.bins : kNotANumber;
@@ -59,15 +59,15 @@ bool has_narrow_confidence_interval(const Marginal& m, std::size_t bin) {
   return m.upper[bin] - m.lower[bin] <= 2 * kMaxRelativeHalfWidth * m.density[bin];
 }
 
-Distances compute_distances(const Marginal& a, const Marginal& b) {
+DensityDistances compute_distances(const Marginal& a, const Marginal& b) {
   require_same_bins(a, b);
   if (!is_finite(a) || !is_finite(b)) {
     return {kNotANumber, kNotANumber, kNotANumber, kNotANumber, kNotANumber, {}};
   }
-  Distances d{};
+  DensityDistances d{};
   double squares = 0, root_squares = 0;
   for (std::size_t k = 0; k < a.size(); ++k) {
-    const double width = a.width(k);
+    const double width = a.bin_width(k);
     const double difference = a.density[k] - b.density[k];
     d.l1 += std::abs(difference) * width;
     squares += difference * difference * width;

@@ -13,13 +13,14 @@ struct TailDistance {
   double to;        ///< upper limit of the decade from <= b < to
   double mean_abs;  ///< mean of |log10 a - log10 b| over the used bins; NaN without used bins
   int bins;
-  /// Number of omitted bins: density a is not positive, or a 95 % confidence interval is too wide.
-  int bins_omitted;
+  /// Number of tail bins that are omitted since the density a is not positive or a 95 % confidence
+  /// interval is too wide.
+  int omitted_bin_count;
 };
 
-/// Distances of a density a from a reference density b. The integrals are sums over the common bins
-/// of a and b.
-struct Distances {
+/// Distances of a density a from a reference density b. The integrals in the distances are sums
+/// over the common bins of the densities a and b.
+struct DensityDistances {
   double l1;   ///< L1 distance int |a - b|, from 0 (equal) to 2 (disjoint)
   double l2;   ///< L2 distance sqrt(int (a - b)^2)
   double sup;  ///< supremum distance max |a - b|
@@ -36,14 +37,14 @@ struct Distances {
 /// bin. The result is `true` for a marginal density without confidence intervals.
 bool has_narrow_confidence_interval(const transform::Marginal& marginal, std::size_t bin);
 
-/// Computes the distances of the marginal density a from the reference marginal density b. The
-/// distances l1, l2 and sup use negative averages unchanged; hellinger and kl replace negative
-/// averages by 0. The divergence KL(b || a) is int (b log(b/a) - b + a), which is never negative
-/// and equals int b log(b/a) for equal masses. The divergence KL(b || a) is infinite if b > 0 and a
-/// = 0 in the same bin. Tail distances omit bins without has_narrow_confidence_interval(), since
-/// sampling noise would dominate the distance there. All distances are NaN if an average of a or b
-/// is not finite.
+/// Computes the distances of the marginal density a from the reference marginal density b. The L1,
+/// L2 and supremum distances use negative averages unchanged; the Hellinger distance and the
+/// Kullback-Leibler divergence replace negative averages by 0. The divergence KL(b || a) is int (b
+/// log(b/a) - b + a), which is never negative and equals int b log(b/a) for equal masses. The
+/// divergence KL(b || a) is infinite if b > 0 and a = 0 in the same bin. Tail distances omit bins
+/// without has_narrow_confidence_interval(), since sampling noise would dominate the distance
+/// there. All distances are NaN if an average of a or b is not finite.
 /// @throws std::invalid_argument if the bins differ or the sizes of a marginal are inconsistent
-Distances compute_distances(const transform::Marginal& a, const transform::Marginal& b);
+DensityDistances compute_distances(const transform::Marginal& a, const transform::Marginal& b);
 
 }  // namespace fpkcheck::compare

@@ -27,12 +27,12 @@ using transform::Status;
 constexpr double kTailFrom = 1e-5, kTailTo = 1e-3;
 constexpr std::string_view kApproximationSeparator = " + ";
 
-std::vector<std::size_t> tail_bins(const std::vector<ChainModel>& chain) {
+std::vector<std::size_t> tail_bins(const std::vector<ModelInChain>& chain) {
   const Marginal& reference = chain.back().marginal;
   std::vector<std::size_t> bins;
   for (std::size_t k = 0; k < reference.size(); ++k) {
     if (reference.density[k] < kTailFrom || reference.density[k] >= kTailTo) continue;
-    if (std::ranges::all_of(chain, [k](const ChainModel& node) {
+    if (std::ranges::all_of(chain, [k](const ModelInChain& node) {
           return node.marginal.density[k] > 0 && has_narrow_confidence_interval(node.marginal, k);
         })) {
       bins.push_back(k);
@@ -48,8 +48,9 @@ double tail_distance(const Marginal& a, const Marginal& b, const std::vector<std
   return sum / static_cast<double>(bins.size());
 }
 
-ErrorBudgetPart make_error_budget_part(StateVariable variable, const ChainModel& from,
-                                       const ChainModel& to, const std::vector<std::size_t>& bins) {
+ErrorBudgetPart make_error_budget_part(StateVariable variable, const ModelInChain& from,
+                                       const ModelInChain& to,
+                                       const std::vector<std::size_t>& bins) {
   ErrorBudgetPart part{.approximations = to.approximations,
                        .from = from.id,
                        .to = to.id,
@@ -67,9 +68,9 @@ ErrorBudgetPart make_error_budget_part(StateVariable variable, const ChainModel&
 }
 
 ErrorBudgetRow make_error_budget_row(const Solution& closure, StateVariable variable,
-                                     const std::vector<ChainModel>& chain) {
+                                     const std::vector<ModelInChain>& chain) {
   const auto bins = tail_bins(chain);
-  const ChainModel &first = chain.front(), &last = chain.back();
+  const ModelInChain &first = chain.front(), &last = chain.back();
   ErrorBudgetRow row{.solution = closure.id(),
                      .variable = variable,
                      .reference = last.id,
@@ -85,9 +86,9 @@ ErrorBudgetRow make_error_budget_row(const Solution& closure, StateVariable vari
   return row;
 }
 
-// Returns false if the only part of the budget is the distance from the closure to a simulation,
-// which equals the total distance.
-bool splits_total(const ErrorBudgetRow& row, std::span<const Solution> solutions) {
+// Returns false if the only part of the error budget is the distance from the closure to a
+// simulation, which equals the total distance.
+bool has_parts_besides_total(const ErrorBudgetRow& row, std::span<const Solution> solutions) {
   if (row.parts.size() > 1) return true;
   const Solution* end = transform::find_solution(solutions, row.reference);
   return end == nullptr || end->identity.role != SolutionRole::simulation;
@@ -95,20 +96,20 @@ bool splits_total(const ErrorBudgetRow& row, std::span<const Solution> solutions
 
 }  // namespace
 
-std::string name(const std::vector<Approximation>& approximations) {
+std::string name(const std::vector<ModelApproximation>& approximations) {
   std::string text;
-  for (const Approximation approximation : approximations) {
+  for (const ModelApproximation approximation : approximations) {
     if (!text.empty()) text += kApproximationSeparator;
     text += name(approximation);
   }
   return text;
 }
 
-std::vector<Approximation> parse_approximations(std::string_view text) {
-  std::vector<Approximation> approximations;
+std::vector<ModelApproximation> parse_approximations(std::string_view text) {
+  std::vector<ModelApproximation> approximations;
   for (std::string_view rest = text;;) {
     const auto end = rest.find(kApproximationSeparator);
-    const auto approximation = base::enum_from_name<Approximation>(rest.substr(0, end));
+    const auto approximation = base::enum_from_name<ModelApproximation>(rest.substr(0, end));
     if (!approximation) {
       throw InputError(fmt::format(
           "unknown part of an error budget: {}; repeat the run with this version of the program",
@@ -121,14 +122,14 @@ std::vector<Approximation> parse_approximations(std::string_view text) {
 }
 
 bool ErrorBudgetPart::is_reference_error() const {
-  return std::ranges::all_of(approximations, [](Approximation approximation) {
-    return approximation == Approximation::discretisation ||
-           approximation == Approximation::sampling;
+  return std::ranges::all_of(approximations, [](ModelApproximation approximation) {
+    return approximation == ModelApproximation::discretisation ||
+           approximation == ModelApproximation::sampling;
   });
 }
 
-const ErrorBudgetPart* ErrorBudgetRow::find(std::string_view part) const {
-  const auto found = std::ranges::find(parts, part, &ErrorBudgetPart::name);
+const ErrorBudgetPart* ErrorBudgetRow::find_budget_part(std::string_view part) const {
+  const auto found = std::ranges::find(parts, part, &ErrorBudgetPart::part_name);
   return found == parts.end() ? nullptr : &*found;
 }
 
@@ -143,14 +144,15 @@ std::vector<ErrorBudgetRow> compute_error_budget(const ComparisonAxes& axes,
       if (!chain.empty()) budget.push_back(make_error_budget_row(solution, variable, chain));
     }
   }
-  if (std::ranges::none_of(
-          budget, [&](const ErrorBudgetRow& row) { return splits_total(row, solutions); })) {
+  if (std::ranges::none_of(budget, [&](const ErrorBudgetRow& row) {
+        return has_parts_besides_total(row, solutions);
+      })) {
     return {};
   }
   return budget;
 }
 
-std::vector<const ErrorBudgetRow*> ClosureErrorBudget::rows() const {
+std::vector<const ErrorBudgetRow*> ClosureErrorBudget::existing_budget_rows() const {
   std::vector<const ErrorBudgetRow*> both{y, ydot};
   std::erase(both, nullptr);
   return both;
@@ -174,13 +176,13 @@ std::vector<ClosureErrorBudget> group_budget_by_closure(std::span<const ErrorBud
 std::vector<std::string> budget_part_names(std::span<const ClosureErrorBudget> budgets) {
   std::vector<std::string> names;
   for (const auto& budget : budgets) {
-    for (const ErrorBudgetRow* row : budget.rows()) {
+    for (const ErrorBudgetRow* row : budget.existing_budget_rows()) {
       // A new part name is inserted before the name that follows in its budget row, to keep the
       // order of the model chain.
       auto at = names.end();
       for (auto part = row->parts.rbegin(); part != row->parts.rend(); ++part) {
-        const auto place = std::ranges::find(names, part->name());
-        at = place != names.end() ? place : names.insert(at, part->name());
+        const auto place = std::ranges::find(names, part->part_name());
+        at = place != names.end() ? place : names.insert(at, part->part_name());
       }
     }
   }

@@ -16,28 +16,36 @@
 namespace fpkcheck::compare {
 
 /// An approximation that one model of the chain makes and the next model avoids.
-enum class Approximation { closure, impact, truncation, white_noise, discretisation, sampling };
-inline constexpr base::EnumEntry<Approximation> kApproximationNames[] = {
-    {Approximation::closure, "closure", "the closure approximation"},
-    {Approximation::impact, "impact", "the impact to first order in 1-r"},
-    {Approximation::truncation, "truncation", "the truncation of the Kramers-Moyal series"},
-    {Approximation::white_noise, "white noise", "white noise in place of impulses"},
-    {Approximation::discretisation, "discretisation", "the discretisation of the reference"},
-    {Approximation::sampling, "sampling", "the sampling error of the reference"}};
-constexpr const auto& enumerator_names(Approximation) { return kApproximationNames; }
-constexpr std::string_view name(Approximation approximation) {
+enum class ModelApproximation {
+  closure,
+  impact,
+  truncation,
+  white_noise,
+  discretisation,
+  sampling
+};
+inline constexpr base::EnumEntry<ModelApproximation> kApproximationNames[] = {
+    {ModelApproximation::closure, "closure", "the closure approximation"},
+    {ModelApproximation::impact, "impact", "the impact to first order in 1-r"},
+    {ModelApproximation::truncation, "truncation", "the truncation of the Kramers-Moyal series"},
+    {ModelApproximation::white_noise, "white noise", "white noise in place of impulses"},
+    {ModelApproximation::discretisation, "discretisation", "the discretisation of the reference"},
+    {ModelApproximation::sampling, "sampling", "the sampling error of the reference"}};
+constexpr const auto& enumerator_names(ModelApproximation) { return kApproximationNames; }
+constexpr std::string_view name(ModelApproximation approximation) {
   return base::name_of(approximation);
 }
 
-std::string name(const std::vector<Approximation>& approximations);
+std::string name(const std::vector<ModelApproximation>& approximations);
 /// Parses names such as "closure + impact".
 /// @throws InputError if the name contains an unknown approximation
-std::vector<Approximation> parse_approximations(std::string_view name);
+std::vector<ModelApproximation> parse_approximations(std::string_view name);
 
 /// One part of an error budget: the L1 distance between two consecutive models of the chain.
 struct ErrorBudgetPart {
-  /// Approximations that `from` makes and `to` avoids; several if intermediate models are missing.
-  std::vector<Approximation> approximations;
+  /// Approximations that the model `from` makes and the model `to` avoids. There are several such
+  /// approximations if intermediate models are missing.
+  std::vector<ModelApproximation> approximations;
   std::string from;  ///< id of the model with the approximations
   std::string to;    ///< id of the model without the approximations
   double l1;
@@ -53,7 +61,7 @@ struct ErrorBudgetPart {
   /// (compare/smooth_reference.hpp).
   std::optional<double> standard_error{};
 
-  std::string name() const { return compare::name(approximations); }
+  std::string part_name() const { return compare::name(approximations); }
   /// Returns whether this part contains only discretisation and sampling errors of the reference.
   bool is_reference_error() const;
 };
@@ -76,7 +84,7 @@ struct ErrorBudgetRow {
   int tail_bins;
   std::vector<ErrorBudgetPart> parts;  ///< parts in the order of the model chain
 
-  const ErrorBudgetPart* find(std::string_view part) const;
+  const ErrorBudgetPart* find_budget_part(std::string_view part) const;
 };
 
 /// Returns the error budgets of all closures with a density, in the order of the solutions. The
@@ -94,11 +102,11 @@ struct ClosureErrorBudget {
   const ErrorBudgetRow* y = nullptr;
   const ErrorBudgetRow* ydot = nullptr;
 
-  const ErrorBudgetRow* row(transform::StateVariable variable) const {
+  const ErrorBudgetRow* budget_row_of(transform::StateVariable variable) const {
     return variable == transform::StateVariable::y ? y : ydot;
   }
   /// Returns the existing error budgets, that of y before that of y'.
-  std::vector<const ErrorBudgetRow*> rows() const;
+  std::vector<const ErrorBudgetRow*> existing_budget_rows() const;
 };
 
 /// Groups the rows of an error budget by closure. Pointers in the result refer to elements of

@@ -41,7 +41,8 @@ struct BoundViolation {
   /// kContradictionStandardErrors times the standard error of the moment.
   double error_estimate;
 
-  /// A solution with a violation beyond the error estimate is wrong, even with the status `ok`.
+  /// A solution of the full problem that violates a bound by more than its error estimate is wrong,
+  /// even with the status `ok`.
   bool exceeds_error_estimate() const { return excess > error_estimate; }
 };
 
@@ -52,9 +53,9 @@ inline constexpr double kContradictionStandardErrors = 4;
 std::vector<BoundViolation> bound_violations(const GuaranteedBounds& bounds,
                                              std::span<const transform::Solution> solutions);
 
-/// Returns the bound violations by solutions of the full problem that exceed the error estimate.
-/// Such violations prove that the solution is wrong, since guaranteed bounds hold for the full
-/// problem.
+/// Returns the bound violations by solutions of the full problem that exceed the error estimate. A
+/// bound violation beyond the error estimate proves that a solution of the full problem is wrong,
+/// since guaranteed bounds hold for the full problem.
 std::vector<BoundViolation> violations_beyond_error_estimate(
     const GuaranteedBounds& bounds, std::span<const transform::Solution> solutions);
 

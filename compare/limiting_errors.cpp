@@ -20,14 +20,14 @@ double reference_error(const ErrorBudgetRow& row) {
   return last.quantile_99.value_or(last.uncertainty.value_or(0));
 }
 
-struct ComparedSolutions {
+struct ComparedSolutionsOfCase {
   std::span<const Solution> solutions;
-  std::span<const PairDistances> pairs;
+  std::span<const SolutionPairDistances> pairs;
 };
 
-bool references_disagree(const ErrorBudgetRow& row, const ComparedSolutions& compared) {
+bool references_disagree(const ErrorBudgetRow& row, const ComparedSolutionsOfCase& compared) {
   const ErrorBudgetPart& last = row.parts.back();
-  if (last.approximations != std::vector{Approximation::sampling}) return false;
+  if (last.approximations != std::vector{ModelApproximation::sampling}) return false;
   const std::string from = last.from.substr(0, last.from.find(kGridLimitSuffix));
   const Solution* one = transform::find_solution(compared.solutions, from);
   const Solution* other = transform::find_solution(compared.solutions, last.to);
@@ -35,19 +35,20 @@ bool references_disagree(const ErrorBudgetRow& row, const ComparedSolutions& com
 }
 
 bool is_within_reference_error(const ClosureErrorBudget& budget,
-                               const ComparedSolutions& compared) {
-  return std::ranges::all_of(budget.rows(), [&](const ErrorBudgetRow* row) {
+                               const ComparedSolutionsOfCase& compared) {
+  return std::ranges::all_of(budget.existing_budget_rows(), [&](const ErrorBudgetRow* row) {
     return !references_disagree(*row, compared) && row->total <= reference_error(*row);
   });
 }
 
-void add_closure_to_groups(const ClosureErrorBudget& budget, const ComparedSolutions& compared,
+void add_closure_to_groups(const ClosureErrorBudget& budget,
+                           const ComparedSolutionsOfCase& compared,
                            std::vector<LimitingErrorGroup>& groups) {
   std::map<std::string, double> parts;
   double sum = 0;
-  for (const ErrorBudgetRow* row : budget.rows()) {
+  for (const ErrorBudgetRow* row : budget.existing_budget_rows()) {
     for (const auto& part : row->parts) {
-      parts[part.name()] += part.l1;
+      parts[part.part_name()] += part.l1;
       sum += part.l1;
     }
   }
@@ -66,8 +67,8 @@ void add_closure_to_groups(const ClosureErrorBudget& budget, const ComparedSolut
 
 LimitingErrors find_limiting_errors(std::span<const ErrorBudgetRow> budget,
                                     std::span<const Solution> solutions,
-                                    std::span<const PairDistances> pairs) {
-  const ComparedSolutions compared{solutions, pairs};
+                                    std::span<const SolutionPairDistances> pairs) {
+  const ComparedSolutionsOfCase compared{solutions, pairs};
   LimitingErrors errors;
   for (const auto& closure : group_budget_by_closure(budget, solutions))
     add_closure_to_groups(closure, compared, errors.groups);

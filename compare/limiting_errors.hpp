@@ -34,6 +34,6 @@ struct LimitingErrors {
 
 LimitingErrors find_limiting_errors(std::span<const ErrorBudgetRow> budget,
                                     std::span<const transform::Solution> solutions,
-                                    std::span<const PairDistances> pairs);
+                                    std::span<const SolutionPairDistances> pairs);
 
 }  // namespace fpkcheck::compare

@@ -43,7 +43,7 @@ class ModelChainBuilder {
     nodes_.push_back({closure.id(), {}, marginal, 0.0});
   }
 
-  void append_discretised_equation(Approximation approximation, DensityEquation equation,
+  void append_discretised_equation(ModelApproximation approximation, DensityEquation equation,
                                    ImpactCondition impact) {
     pending_approximations_.push_back(approximation);
     for (const auto& s : solutions_) {
@@ -61,7 +61,7 @@ class ModelChainBuilder {
   }
 
   void append_grid_limit() {
-    pending_approximations_.push_back(Approximation::discretisation);
+    pending_approximations_.push_back(ModelApproximation::discretisation);
     if (smooth_reference_ != nullptr || !full_equation_ || !full_equation_->extrapolation) return;
     append_model({full_equation_->id() + std::string(kGridLimitSuffix),
                   {},
@@ -70,9 +70,10 @@ class ModelChainBuilder {
   }
 
   void append_simulation() {
-    if (smooth_reference_ == nullptr) pending_approximations_.push_back(Approximation::sampling);
+    if (smooth_reference_ == nullptr)
+      pending_approximations_.push_back(ModelApproximation::sampling);
     // Without a solution of a density equation no part of the budget is a discretisation error.
-    if (nodes_.size() == 1) std::erase(pending_approximations_, Approximation::discretisation);
+    if (nodes_.size() == 1) std::erase(pending_approximations_, ModelApproximation::discretisation);
     for (const auto& s : solutions_) {
       if (s.identity.role != SolutionRole::simulation || s.identity.equation != DensityEquation::kf)
         continue;
@@ -82,7 +83,7 @@ class ModelChainBuilder {
                       {},
                       *m,
                       std::nullopt,
-                      transform::best_sampling_error(s),
+                      transform::smallest_known_sampling_errors(s),
                       transform::find_smooth_bin_estimate(s, variable_)});
         has_simulation_ = true;
         return;
@@ -90,13 +91,13 @@ class ModelChainBuilder {
     }
   }
 
-  std::vector<ChainModel> nodes() && {
-    return full_equation_ || has_simulation_ ? std::move(nodes_) : std::vector<ChainModel>{};
+  std::vector<ModelInChain> nodes() && {
+    return full_equation_ || has_simulation_ ? std::move(nodes_) : std::vector<ModelInChain>{};
   }
 
  private:
   const Marginal* usable_marginal(const Solution& solution) const {
-    return solution.is_ok() ? find_marginal(marginals_, solution.id(), variable_) : nullptr;
+    return solution.has_status_ok() ? find_marginal(marginals_, solution.id(), variable_) : nullptr;
   }
 
   Marginal grid_limit_marginal(const Solution& solution) const {
@@ -108,7 +109,7 @@ class ModelChainBuilder {
     return compute_distances(transform::marginal(s, variable_, edges_), grid_limit_marginal(s)).l1;
   }
 
-  void append_model(ChainModel node) {
+  void append_model(ModelInChain node) {
     node.approximations = std::exchange(pending_approximations_, {});
     nodes_.push_back(std::move(node));
   }
@@ -120,18 +121,18 @@ class ModelChainBuilder {
   /// Smooth reference, whose smooth bins are the bins of all marginal densities; null for uniform
   /// bins.
   const Solution* smooth_reference_;
-  std::vector<ChainModel> nodes_;
-  std::vector<Approximation> pending_approximations_;
+  std::vector<ModelInChain> nodes_;
+  std::vector<ModelApproximation> pending_approximations_;
   const Solution* full_equation_ = nullptr;
   bool has_simulation_ = false;
 };
 
 }  // namespace
 
-std::vector<ChainModel> make_model_chain(const ComparisonAxes& axes,
-                                         std::span<const Solution> solutions,
-                                         std::span<const SolutionMarginal> marginals,
-                                         const Solution& closure, StateVariable variable) {
+std::vector<ModelInChain> make_model_chain(const ComparisonAxes& axes,
+                                           std::span<const Solution> solutions,
+                                           std::span<const SolutionMarginal> marginals,
+                                           const Solution& closure, StateVariable variable) {
   const Marginal* marginal = find_marginal(marginals, closure.id(), variable);
   if (!marginal) return {};
   const DensityEquation equation = closure.identity.equation.value_or(DensityEquation::kf);
@@ -141,13 +142,14 @@ std::vector<ChainModel> make_model_chain(const ComparisonAxes& axes,
   const ImpactCondition impact = to_first_order ? ImpactCondition::delta : ImpactCondition::map;
   ModelChainBuilder chain(axes, solutions, marginals, variable);
   chain.append_closure(closure, *marginal);
-  chain.append_discretised_equation(Approximation::closure, equation, impact);
+  chain.append_discretised_equation(ModelApproximation::closure, equation, impact);
   if (to_first_order)
-    chain.append_discretised_equation(Approximation::impact, equation, ImpactCondition::map);
+    chain.append_discretised_equation(ModelApproximation::impact, equation, ImpactCondition::map);
   if (equation != DensityEquation::kf) {
-    chain.append_discretised_equation(
-        equation == DensityEquation::white ? Approximation::white_noise : Approximation::truncation,
-        DensityEquation::kf, ImpactCondition::map);
+    chain.append_discretised_equation(equation == DensityEquation::white
+                                          ? ModelApproximation::white_noise
+                                          : ModelApproximation::truncation,
+                                      DensityEquation::kf, ImpactCondition::map);
   }
   chain.append_grid_limit();
   chain.append_simulation();

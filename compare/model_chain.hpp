@@ -17,15 +17,16 @@ namespace fpkcheck::compare {
 inline constexpr std::string_view kGridLimitSuffix = " limit";
 
 /// One model in the chain of models from a closure to the reference, in one variable.
-struct ChainModel {
+struct ModelInChain {
   std::string id;  ///< id of a solution, or "fd-kf limit"
   /// Approximations of the previous model that this model avoids; empty for the closure.
-  std::vector<Approximation> approximations;
+  std::vector<ModelApproximation> approximations;
   transform::Marginal marginal;
   /// L1 distance of the model from the Richardson limit of its grids. The distance is 0 for a model
   /// without a grid, and empty if the Richardson limit is unknown.
   std::optional<double> discretisation_error;
-  std::optional<transform::SamplingError> sampling = {};  ///< sampling error of a simulation
+  std::optional<transform::MarginalSamplingErrors> sampling =
+      {};  ///< sampling error of a simulation
   /// Estimates over smooth bins, if the model is the smooth reference; null for other models.
   const transform::SmoothBinEstimate* smooth = nullptr;
 };
@@ -48,10 +49,10 @@ struct ChainModel {
 /// @param closure one of the solutions
 /// @return at least two models; an empty list if the closure has no marginal density, or if no
 /// solution of the full jump integral exists
-std::vector<ChainModel> make_model_chain(const ComparisonAxes& axes,
-                                         std::span<const transform::Solution> solutions,
-                                         std::span<const SolutionMarginal> marginals,
-                                         const transform::Solution& closure,
-                                         transform::StateVariable variable);
+std::vector<ModelInChain> make_model_chain(const ComparisonAxes& axes,
+                                           std::span<const transform::Solution> solutions,
+                                           std::span<const SolutionMarginal> marginals,
+                                           const transform::Solution& closure,
+                                           transform::StateVariable variable);
 
 }  // namespace fpkcheck::compare

@@ -21,23 +21,23 @@ struct SolutionMarginal {
 /// over smooth bins if one solution is the smooth reference (compare/smooth_reference.hpp) and the
 /// other solution has no sampling error. Only the L1 distance includes the distance of the rest
 /// atoms (compare/rest_atoms.hpp).
-struct PairDistances {
+struct SolutionPairDistances {
   std::string a;
   std::string b;  ///< id of the more trusted of the two solutions
   transform::StateVariable variable;
-  Distances distances;
+  DensityDistances distances;
   /// Standard error of the L1 distance over smooth bins; empty for a distance over uniform bins.
   std::optional<double> l1_standard_error = {};
 };
 
 /// Returns the distances between two solutions in one variable, for either order of the two ids.
-/// The result is null if `pairs` has no such distances.
-const PairDistances* find_pair_distances(std::span<const PairDistances> pairs,
-                                         std::string_view first, std::string_view second,
-                                         transform::StateVariable variable);
+/// The result is null if `pairs` lacks the distances between the two solutions.
+const SolutionPairDistances* find_pair_distances(std::span<const SolutionPairDistances> pairs,
+                                                 std::string_view first, std::string_view second,
+                                                 transform::StateVariable variable);
 
 /// Returns the L1 distance of two solutions; empty if the distance is missing or not finite.
-std::optional<double> l1_distance_between(std::span<const PairDistances> pairs,
+std::optional<double> l1_distance_between(std::span<const SolutionPairDistances> pairs,
                                           std::string_view first, std::string_view second,
                                           transform::StateVariable variable);
 

@@ -12,7 +12,7 @@ using transform::StateVariable;
 
 const Solution* find_smooth_reference(std::span<const Solution> solutions) {
   const auto found = std::ranges::find_if(solutions, [](const Solution& s) {
-    return s.is_ok() && s.identity.role == transform::SolutionRole::simulation &&
+    return s.has_status_ok() && s.identity.role == transform::SolutionRole::simulation &&
            s.identity.equation == problem::DensityEquation::kf && !s.smooth_estimates.empty();
   });
   return found == solutions.end() ? nullptr : &*found;
@@ -50,7 +50,7 @@ double l1_standard_error(const transform::Marginal& a,
   const std::size_t n = p.size();
   std::vector<double> signed_weight;
   for (std::size_t b = 0; b < n; ++b) {
-    signed_weight.push_back(a.density[b] < p.density[b] ? -p.width(b) : p.width(b));
+    signed_weight.push_back(a.density[b] < p.density[b] ? -p.bin_width(b) : p.bin_width(b));
   }
   double variance = 0;
   for (std::size_t b = 0; b < n; ++b) {

@@ -10,20 +10,20 @@ namespace fpkcheck::control_variates {
 namespace {
 
 constexpr double kSignificanceLevel = 1e-4;
-// Quantile of the standard normal law at the two-sided level 1e-4
+// Quantile of the standard normal law at the two-sided significance level 1e-4.
 constexpr double kNormalQuantile = 3.9;
-// Limit on the errors of the force balance relative to the damping force, above the truncation
-// error of the flights.
+// Limit on the errors of the force balance relative to the damping force, larger than the
+// truncation error of the Taylor polynomials of free flights.
 constexpr double kFlightTolerance = 1e-5;
 constexpr double kRounding = 1e-12;
 
 // Sums of the deposits and of the samples over all streams.
-struct SumsOverStreams {
+struct DepositSumsOverStreams {
   double samples = 0, time = 0, impacts = 0;
-  std::array<double, mcs::kPowers.size()> powers{};
+  std::array<double, mcs::kRecordedMomentPowers.size()> powers{};
   std::array<double, 3> acceleration{}, wall{}, impulses{};
 
-  explicit SumsOverStreams(std::span<const mcs::StreamDeposit> streams) {
+  explicit DepositSumsOverStreams(std::span<const mcs::DepositOfOneStream> streams) {
     const auto add = [](auto& to, const auto& what) {
       for (std::size_t k = 0; k < to.size(); ++k) to[k] += what[k];
     };
@@ -39,13 +39,14 @@ struct SumsOverStreams {
   }
   double moment(int p, int q) const {
     if (p + q == 0) return 1;
-    const auto at = std::ranges::find(mcs::kPowers, std::pair{p, q}) - mcs::kPowers.begin();
+    const auto at = std::ranges::find(mcs::kRecordedMomentPowers, std::pair{p, q}) -
+                    mcs::kRecordedMomentPowers.begin();
     return powers[static_cast<std::size_t>(at)] / samples;
   }
 };
 
-void check_flights(const problem::System& system, const SumsOverStreams& sums,
-                   SimulationChecks& checks) {
+void check_flights(const problem::System& system, const DepositSumsOverStreams& sums,
+                   SimulationIdentityChecks& checks) {
   const auto& of_system = system.coefficients();
   const auto defect = [&, c = of_system.damping, k = of_system.stiffness, mu = of_system.cubic](
                           int p, int q, double acceleration) {
@@ -58,26 +59,29 @@ void check_flights(const problem::System& system, const SumsOverStreams& sums,
   checks.power = defect(0, 1, sums.acceleration[2]);
 }
 
-void check_impulses(const problem::ImpulseTrain& train, const SumsOverStreams& sums,
-                    SimulationChecks& checks) {
+void check_impulses(const problem::ImpulseTrain& train, const DepositSumsOverStreams& sums,
+                    SimulationIdentityChecks& checks) {
   const auto& law = train.amplitude_law();
   const double expected = train.arrival_rate() * sums.time, n = sums.impulses[0];
   checks.rate = (n - expected) / std::sqrt(expected);
   if (n == 0) return;
   checks.mean = (sums.impulses[1] / n - law.mean()) / (law.deviation() / std::sqrt(n));
-  // For impulses with the two amplitudes Y and -Y the square Y^2 has no variance. A rounding error
-  // then replaces the standard error of the mean of Y^2.
+  // For impulses with the two amplitudes Y and -Y the square Y^2 has no variance. For such impulses
+  // a rounding error replaces the standard error of the mean of Y^2.
   const double square = law.moment(2), spread = law.moment(4) - square * square;
   const double scale = std::max(std::sqrt(std::max(spread, 0.0) / n), kRounding * square);
   checks.mean_square = (sums.impulses[2] / n - square) / scale;
 }
 
-Eigen::MatrixXd spline_coefficients_of_monomials(const DepositLayout& deposit_layout) {
+Eigen::MatrixXd spline_coefficients_of_monomials(const DepositedSumLayout& deposit_layout) {
   const Eigen::Index nv = deposit_layout.v.size();
-  Eigen::MatrixXd all(deposit_layout.y.size() * nv, static_cast<Eigen::Index>(mcs::kPowers.size()));
-  for (std::size_t n = 0; n < mcs::kPowers.size(); ++n) {
-    const auto in_y = deposit_layout.y.coefficients_of_monomial(mcs::kPowers[n].first);
-    const auto in_v = deposit_layout.v.coefficients_of_monomial(mcs::kPowers[n].second);
+  Eigen::MatrixXd all(deposit_layout.y.size() * nv,
+                      static_cast<Eigen::Index>(mcs::kRecordedMomentPowers.size()));
+  for (std::size_t n = 0; n < mcs::kRecordedMomentPowers.size(); ++n) {
+    const auto in_y =
+        deposit_layout.y.coefficients_of_monomial(mcs::kRecordedMomentPowers[n].first);
+    const auto in_v =
+        deposit_layout.v.coefficients_of_monomial(mcs::kRecordedMomentPowers[n].second);
     for (std::size_t i = 0; i < in_y.size(); ++i) {
       for (std::size_t j = 0; j < in_v.size(); ++j) {
         all(static_cast<Eigen::Index>(i) * nv + static_cast<Eigen::Index>(j),
@@ -90,7 +94,7 @@ Eigen::MatrixXd spline_coefficients_of_monomials(const DepositLayout& deposit_la
 
 }  // namespace
 
-HotellingTest hotelling_test(const Eigen::MatrixXd& all) {
+HotellingTestResult hotelling_test(const Eigen::MatrixXd& all) {
   const Eigen::MatrixXd values = all.topRows(std::min(all.rows(), all.cols() / 2));
   const auto n = static_cast<double>(values.cols()), p = static_cast<double>(values.rows());
   const Eigen::VectorXd mean = values.rowwise().mean();
@@ -108,12 +112,11 @@ HotellingTest hotelling_test(const Eigen::MatrixXd& all) {
   return {.statistic = statistic, .dimensions = static_cast<int>(p), .p_value = odds};
 }
 
-SimulationChecks check_simulation(const ControlVariateSetup& setup,
-                                  const Eigen::MatrixXd& generator,
-                                  std::span<const mcs::StreamDeposit> streams,
-                                  const FunctionalEstimates& estimates) {
-  const SumsOverStreams sums(streams);
-  SimulationChecks result;
+SimulationIdentityChecks compute_simulation_identity_checks(
+    const ControlVariateSetup& setup, const Eigen::MatrixXd& generator,
+    std::span<const mcs::DepositOfOneStream> streams, const FunctionalEstimates& estimates) {
+  const DepositSumsOverStreams sums(streams);
+  SimulationIdentityChecks result;
   result.generator = hotelling_test(
       spline_coefficients_of_monomials(setup.deposit_layout).transpose() * generator);
   check_flights(setup.problem.system, sums, result);
@@ -129,7 +132,7 @@ SimulationChecks check_simulation(const ControlVariateSetup& setup,
   return result;
 }
 
-std::vector<std::string> SimulationChecks::failed_deterministic_checks() const {
+std::vector<std::string> SimulationIdentityChecks::failed_deterministic_check_names() const {
   std::vector<std::string> names;
   const auto add_if_failed = [&](bool fine, const char* name) {
     if (!fine) names.emplace_back(name);
@@ -142,8 +145,8 @@ std::vector<std::string> SimulationChecks::failed_deterministic_checks() const {
   return names;
 }
 
-std::vector<std::string> SimulationChecks::failed_checks() const {
-  std::vector<std::string> names = failed_deterministic_checks();
+std::vector<std::string> SimulationIdentityChecks::failed_check_names() const {
+  std::vector<std::string> names = failed_deterministic_check_names();
   const auto add_if_failed = [&](bool fine, const char* name) {
     if (!fine) names.emplace_back(name);
   };

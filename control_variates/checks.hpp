@@ -10,9 +10,9 @@
 
 namespace fpkcheck::control_variates {
 
-/// Result of Hotelling's test of the hypothesis that a random vector has zero mean. Each simulation
-/// stream supplies one sample of the vector.
-struct HotellingTest {
+/// ControlVariateResult of Hotelling's test of the hypothesis that a random vector has zero mean.
+/// Each simulation stream supplies one sample of the vector.
+struct HotellingTestResult {
   /// Hotelling's T^2 = n m^T S^-1 m for n streams, sample mean m and sample covariance S
   double statistic = 0;
   int dimensions = 0;
@@ -21,13 +21,13 @@ struct HotellingTest {
 /// Tests whether a random vector has zero mean.
 /// @param values samples, of shape (dimensions, streams). At most half as many dimensions as
 ///   streams are used.
-HotellingTest hotelling_test(const Eigen::MatrixXd& values);
+HotellingTestResult hotelling_test(const Eigen::MatrixXd& values);
 
 /// Comparisons of a simulation with identities that an exact simulation satisfies.
-struct SimulationChecks {
+struct SimulationIdentityChecks {
   /// Test of E[L B] = 0 for the generator L and the 14 polynomials B = y^p y'^q, 1 <= p + q <= 4. A
-  /// nonzero mean shows an error in the simulated flights, impacts or impulses.
-  HotellingTest generator;
+  /// nonzero mean of L B shows an error in the simulated flights, impacts or impulses.
+  HotellingTestResult generator;
   /// Errors of the force balance: means of (y'' + c y' + g(y)) phi along the polynomials of the
   /// flights, divided by c (E[y'^2] E[phi^2])^1/2. The test function phi is 1 for `momentum`, y for
   /// `virial` and y' for `power`. The means of the force balance have no sampling error.
@@ -48,16 +48,15 @@ struct SimulationChecks {
 
   /// Names of the failed checks: "flights", "restitution", "wall", "impulses", "generator",
   /// "plain". Each check with a sampling error has a false alarm rate of 1e-4.
-  std::vector<std::string> failed_checks() const;
+  std::vector<std::string> failed_check_names() const;
   /// Failed checks among the checks without sampling error: "flights", "restitution", "wall".
-  std::vector<std::string> failed_deterministic_checks() const;
+  std::vector<std::string> failed_deterministic_check_names() const;
 };
 
 /// Computes all checks of a simulation.
-/// @param generator means of generator_means()
-SimulationChecks check_simulation(const ControlVariateSetup& setup,
-                                  const Eigen::MatrixXd& generator,
-                                  std::span<const mcs::StreamDeposit> streams,
-                                  const FunctionalEstimates& estimates);
+/// @param generator means of stream_means_of_generated_splines()
+SimulationIdentityChecks compute_simulation_identity_checks(
+    const ControlVariateSetup& setup, const Eigen::MatrixXd& generator,
+    std::span<const mcs::DepositOfOneStream> streams, const FunctionalEstimates& estimates);
 
 }  // namespace fpkcheck::control_variates

@@ -18,7 +18,7 @@ constexpr double kLatticePointsPerDeviation = 8;
 // Extension of the velocity lattice beyond the splines, in standard deviations of the impulses.
 constexpr double kLatticeExtension = 4;
 
-std::vector<double> lattice_velocities(const mcs::DepositGrid& grid) {
+std::vector<double> lattice_velocities(const mcs::SampleDepositGrid& grid) {
   std::vector<double> v;
   for (int q = 0; q < grid.lattice_points; ++q) {
     v.push_back(grid.lattice_begin + q * grid.lattice_spacing);
@@ -40,7 +40,7 @@ std::function<double(double)> smooth_bin_function(const transform::SmoothBins& b
 
 }  // namespace
 
-std::vector<backward::SeparableFunction> EstimatedFunctionals::functional_integrands() const {
+std::vector<backward::SeparableFunction> EstimatedFunctionals::integrands_of_functionals() const {
   std::vector<backward::SeparableFunction> all;
   for (const auto& [p, q] : kMoments) all.push_back({power_function(p), power_function(q)});
   for (int b = 0; b < y_bins.count; ++b)
@@ -50,15 +50,17 @@ std::vector<backward::SeparableFunction> EstimatedFunctionals::functional_integr
   return all;
 }
 
-std::vector<double> EstimatedFunctionals::stream_means(const mcs::StreamDeposit& stream) const {
+std::vector<double> EstimatedFunctionals::functional_means_in_stream(
+    const mcs::DepositOfOneStream& stream) const {
   std::vector<double> all;
   for (const auto& [p, q] : kMoments) {
-    const auto at = std::ranges::find(mcs::kPowers, std::pair{p, q}) - mcs::kPowers.begin();
+    const auto at = std::ranges::find(mcs::kRecordedMomentPowers, std::pair{p, q}) -
+                    mcs::kRecordedMomentPowers.begin();
     all.push_back(stream.powers[static_cast<std::size_t>(at)] / stream.samples);
   }
   const auto put = [&](const std::vector<double>& sums, int count) {
     for (int b = 0; b < count; ++b) {
-      all.push_back(sums[static_cast<std::size_t>(b + mcs::DepositedSums::kBinOffset)] /
+      all.push_back(sums[static_cast<std::size_t>(b + mcs::DepositedSampleSums::kBinOffset)] /
                     stream.samples);
     }
   };
@@ -67,17 +69,17 @@ std::vector<double> EstimatedFunctionals::stream_means(const mcs::StreamDeposit&
   return all;
 }
 
-DepositLayout make_deposit_layout(const problem::Problem& problem,
-                                  const ControlSplineCells& cells) {
+DepositedSumLayout make_deposited_sum_layout(const problem::Problem& problem,
+                                             const ControlVariateSplineCells& cells) {
   const auto linear = problem::equivalent_linearisation(problem);
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
   const double deflection = problem::static_deflection(problem);
   auto splines = backward::make_control_splines(problem, {.y_cells = cells.y, .v_cells = cells.v},
                                                 backward::ControlCellWidths::equal);
-  DepositLayout p{.y = std::move(splines.y_splines),
-                  .v = std::move(splines.v_splines),
-                  .grid = {},
-                  .functionals = {}};
+  DepositedSumLayout p{.y = std::move(splines.y_splines),
+                       .v = std::move(splines.v_splines),
+                       .grid = {},
+                       .functionals = {}};
   const double y_bin = kYBinSpacing * s1, v_bin = kVBinSpacing * s2;
   constexpr int kBinHalfWidth = 2;
   const int v_half = static_cast<int>(kBinExtent / kVBinSpacing) - kBinHalfWidth;
@@ -96,21 +98,21 @@ DepositLayout make_deposit_layout(const problem::Problem& problem,
             .lattice_points = 2 * half + 1,
             .y_bins = p.functionals.y_bins,
             .v_bins = p.functionals.v_bins};
-  for (const auto& [amplitude, probability] : problem.impulses.amplitude_law().atoms()) {
+  for (const auto& [amplitude, probability] : problem.impulses.amplitude_law().amplitude_atoms()) {
     p.grid.velocity_jumps.push_back({amplitude, probability});
   }
   // For discrete impulse laws the deposits use `velocity_jumps` instead of the lattice.
-  if (!p.grid.velocity_jumps.empty()) p.grid.lattice_points = mcs::DepositGrid::kStencil;
+  if (!p.grid.velocity_jumps.empty()) p.grid.lattice_points = mcs::SampleDepositGrid::kStencil;
   return p;
 }
 
 ControlVariateSetup make_control_variate_setup(const problem::Problem& problem,
-                                               const DepositLayout& deposit_layout,
+                                               const DepositedSumLayout& deposit_layout,
                                                double sampling_interval) {
   const auto control = backward::make_control_fit_problem(problem, deposit_layout.y,
                                                           deposit_layout.v, 1 / sampling_interval);
-  auto functions =
-      backward::fit_control_functions(control, deposit_layout.functionals.functional_integrands());
+  auto functions = backward::fit_control_functions(
+      control, deposit_layout.functionals.integrands_of_functionals());
   return {.problem = problem,
           .deposit_layout = deposit_layout,
           .control = std::move(functions.spline_coefficients),

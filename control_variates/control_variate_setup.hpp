@@ -24,53 +24,56 @@ inline constexpr std::array<MomentExponents, 6> kMoments{
 struct EstimatedFunctionals {
   transform::SmoothBins y_bins, v_bins;
 
-  int size() const { return static_cast<int>(kMoments.size()) + y_bins.count + v_bins.count; }
+  int functional_count() const {
+    return static_cast<int>(kMoments.size()) + y_bins.count + v_bins.count;
+  }
   /// Returns the function f of each functional E[f].
-  std::vector<backward::SeparableFunction> functional_integrands() const;
+  std::vector<backward::SeparableFunction> integrands_of_functionals() const;
   /// Returns the sample mean of each functional in one stream, without control variates.
-  std::vector<double> stream_means(const mcs::StreamDeposit& stream) const;
+  std::vector<double> functional_means_in_stream(const mcs::DepositOfOneStream& stream) const;
 };
 
-/// Numbers of spline cells of the control functions in y and in y'. For moments alone 40 x 88 cells
-/// suffice.
-struct ControlSplineCells {
+/// Numbers of spline cells in y and in y' of the functions h, whose images L h under the generator
+/// L are the control variates. If only moments are estimated, 40 x 88 spline cells suffice.
+struct ControlVariateSplineCells {
   int y = 64, v = 100;
 };
 
-/// Layout of the sums that the simulation deposits. The layout depends on the problem and on the
-/// cells of the control functions.
+/// Layout of the sums that the simulation deposits. The layout of the sums depends on the problem
+/// and on the spline cells of the control variates.
 ///  - Splines: the default splines of the control functions
 ///    (backward/control/control_function_fit.hpp).
 ///  - Velocity lattice: spacing of an eighth of the standard deviation of the impulses.
 ///  - Smooth bins: spacing of 0.15 standard deviations of y and 0.3 standard deviations of y'. Each
 ///    bin is four spacings wide, and the bins extend to 7 standard deviations.
-struct DepositLayout {
+struct DepositedSumLayout {
   numerics::QuinticBSplines y, v;
-  mcs::DepositGrid grid;
+  mcs::SampleDepositGrid grid;
   EstimatedFunctionals functionals;
 };
-DepositLayout make_deposit_layout(const problem::Problem& problem, const ControlSplineCells& cells);
+DepositedSumLayout make_deposited_sum_layout(const problem::Problem& problem,
+                                             const ControlVariateSplineCells& cells);
 
 /// Control functions and tables that turn deposited sums into estimates.
 struct ControlVariateSetup {
   problem::Problem problem;
-  DepositLayout deposit_layout;
-  /// Spline coefficients of the control functions: column f belongs to functional f, and row i *
-  /// v.size() + j to the spline product A_i(y) B_j(v).
+  DepositedSumLayout deposit_layout;
+  /// Spline coefficients of the functions h of the control variates L h: column f belongs to
+  /// functional f, and row i * v.size() + j to the spline product A_i(y) B_j(v).
   Eigen::MatrixXd control;
   /// Means (K B_j)(v_q) = E[B_j(v_q + Y)] after an impulse, of shape (lattice points, functions of
-  /// v). The deposited lattice sums contain the factor lambda.
+  /// v). The deposited lattice sums contain the arrival rate lambda of the impulses as a factor.
   Eigen::MatrixXd after_impulse;
-  /// Means E[f] of the functionals by the backward equation, without simulation
+  /// Means E[f] of the functionals by the backward equation, computed without simulation.
   std::vector<double> backward_means;
 };
 
-/// Fits the control functions on splines.
+/// Fits the splines of the control variates.
 /// @param sampling_interval time between samples of the simulation; its reciprocal is the weight of
 ///   the impact condition in the fit
 /// @throws backward::FitFailure
 ControlVariateSetup make_control_variate_setup(const problem::Problem& problem,
-                                               const DepositLayout& deposit_layout,
+                                               const DepositedSumLayout& deposit_layout,
                                                double sampling_interval);
 
 }  // namespace fpkcheck::control_variates

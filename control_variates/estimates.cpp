@@ -36,14 +36,15 @@ mcs::L1SamplingError l1_error_over_bins(const Eigen::MatrixXd& errors) {
 
 /// @param controlled, plain bin means of each stream with and without control variates, shape
 ///   (bins, streams)
-BinEstimates bin_estimates(const transform::SmoothBins& bins, const Eigen::MatrixXd& controlled,
-                           const Eigen::MatrixXd& plain) {
+SmoothBinAverageEstimates bin_estimates(const transform::SmoothBins& bins,
+                                        const Eigen::MatrixXd& controlled,
+                                        const Eigen::MatrixXd& plain) {
   const Eigen::MatrixXd errors = error_contributions(controlled);
-  BinEstimates result{.bins = bins,
-                      .averages = {},
-                      .covariance = errors * errors.transpose(),
-                      .controlled_l1 = l1_error_over_bins(errors),
-                      .plain_l1 = l1_error_over_bins(error_contributions(plain))};
+  SmoothBinAverageEstimates result{.bins = bins,
+                                   .averages = {},
+                                   .covariance = errors * errors.transpose(),
+                                   .controlled_l1 = l1_error_over_bins(errors),
+                                   .plain_l1 = l1_error_over_bins(error_contributions(plain))};
   for (int b = 0; b < bins.count; ++b) {
     const double per_weight = 1 / transform::smooth_bin_weight(bins, b);
     result.averages.push_back({scale_estimate(mean_over_streams(controlled.row(b)), per_weight),
@@ -56,14 +57,14 @@ BinEstimates bin_estimates(const transform::SmoothBins& bins, const Eigen::Matri
 
 }  // namespace
 
-Eigen::MatrixXd generator_means(const ControlVariateSetup& setup,
-                                std::span<const mcs::StreamDeposit> streams) {
+Eigen::MatrixXd stream_means_of_generated_splines(
+    const ControlVariateSetup& setup, std::span<const mcs::DepositOfOneStream> streams) {
   const Eigen::Index ny = setup.deposit_layout.y.size(), nv = setup.deposit_layout.v.size();
   Eigen::MatrixXd means(ny * nv, static_cast<Eigen::Index>(streams.size()));
   RowMajor after_impulse = setup.after_impulse;
   RowMajor sums(ny, nv);
   for (std::size_t s = 0; s < streams.size(); ++s) {
-    const mcs::DepositedSums& d = streams[s].sums;
+    const mcs::DepositedSampleSums& d = streams[s].sums;
     sums = Table(d.flow.data(), ny, d.flow_pitch).leftCols(nv);
     sums.noalias() +=
         Table(d.lattice.data(), ny, d.lattice_pitch).leftCols(after_impulse.rows()) * after_impulse;
@@ -75,16 +76,16 @@ Eigen::MatrixXd generator_means(const ControlVariateSetup& setup,
 
 FunctionalEstimates estimate_functionals(const ControlVariateSetup& setup,
                                          const Eigen::MatrixXd& generator,
-                                         std::span<const mcs::StreamDeposit> streams) {
+                                         std::span<const mcs::DepositOfOneStream> streams) {
   const EstimatedFunctionals& functionals = setup.deposit_layout.functionals;
-  Eigen::MatrixXd plain(functionals.size(), generator.cols());
+  Eigen::MatrixXd plain(functionals.functional_count(), generator.cols());
   for (std::size_t s = 0; s < streams.size(); ++s) {
-    const std::vector<double> means = functionals.stream_means(streams[s]);
+    const std::vector<double> means = functionals.functional_means_in_stream(streams[s]);
     plain.col(static_cast<Eigen::Index>(s)) =
         Eigen::Map<const Eigen::VectorXd>(means.data(), plain.rows());
   }
   const Eigen::MatrixXd controlled = plain + setup.control.transpose() * generator;
-  std::vector<ControlledAndPlainEstimate> moments;
+  std::vector<EstimatesWithAndWithoutControlVariates> moments;
   for (Eigen::Index f = 0; f < std::ssize(kMoments); ++f) {
     moments.push_back({mean_over_streams(controlled.row(f)), mean_over_streams(plain.row(f))});
   }

@@ -12,21 +12,21 @@
 namespace fpkcheck::control_variates {
 
 /// Two estimates of an expectation: with control variates (`controlled`) and without (`plain`).
-struct ControlledAndPlainEstimate {
+struct EstimatesWithAndWithoutControlVariates {
   mcs::MeanEstimate controlled, plain;
 };
 
 /// Estimates of the averages of a marginal density over smooth bins.
-struct BinEstimates {
+struct SmoothBinAverageEstimates {
   transform::SmoothBins bins;
-  std::vector<ControlledAndPlainEstimate> averages;
+  std::vector<EstimatesWithAndWithoutControlVariates> averages;
   Eigen::MatrixXd covariance;  ///< covariance matrix of the averages with control variates
   mcs::L1SamplingError controlled_l1, plain_l1;
 };
 
 struct FunctionalEstimates {
-  std::vector<ControlledAndPlainEstimate> moments;
-  BinEstimates y, v;
+  std::vector<EstimatesWithAndWithoutControlVariates> moments;
+  SmoothBinAverageEstimates y, v;
   /// Half-width of a 95 % confidence interval in standard errors, from Student's t distribution.
   double confidence_interval_factor = 0;
 };
@@ -34,14 +34,14 @@ struct FunctionalEstimates {
 /// Returns the mean of L A_i B_j in each stream, including the contribution of impacts, where L is
 /// the generator. The matrix has the shape (functions, streams), with the function A_i B_j in row i
 /// * v.size() + j.
-Eigen::MatrixXd generator_means(const ControlVariateSetup& setup,
-                                std::span<const mcs::StreamDeposit> streams);
+Eigen::MatrixXd stream_means_of_generated_splines(const ControlVariateSetup& setup,
+                                                  std::span<const mcs::DepositOfOneStream> streams);
 
-/// Estimates each functional E[f] by the mean of f + L h with the control function h. The estimate
-/// is unbiased for every function h. The standard errors are computed from the differences between
-/// streams.
+/// Estimates each functional E[f] by the mean of f + L h with the generator L and the control
+/// variate L h. The estimate is unbiased for every function h. The standard errors are computed
+/// from the differences between streams.
 FunctionalEstimates estimate_functionals(const ControlVariateSetup& setup,
                                          const Eigen::MatrixXd& generator,
-                                         std::span<const mcs::StreamDeposit> streams);
+                                         std::span<const mcs::DepositOfOneStream> streams);
 
 }  // namespace fpkcheck::control_variates

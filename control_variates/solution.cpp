@@ -18,34 +18,36 @@ static_assert(std::size(transform::kMoments) == kMoments.size());
 
 /// Adds the estimates without control variates, which alone depend on the law of the drawn
 /// impulses.
-void add_plain_metrics(const FunctionalEstimates& estimates, transform::MetricBuilder& builder) {
+void add_plain_metrics(const FunctionalEstimates& estimates,
+                       transform::SolverMetricsBuilder& builder) {
   for (std::size_t k = 0; k < kMoments.size(); ++k) {
     const auto& plain = estimates.moments[k].plain;
     const std::string name = transform::kMoments[k].name, error_path = "plain.errors." + name;
     builder.add(
         {.path = "plain.moments." + name, .value = plain.mean, .standard_error_path = error_path});
-    builder.add_error(error_path, plain.standard_error);
+    builder.add_error_metric(error_path, plain.standard_error);
   }
 }
 
-void add_check_metrics(const SimulationChecks& checks, transform::MetricBuilder& builder) {
-  builder.add_diagnostic("checks.flights.momentum", checks.momentum)
-      .add_diagnostic("checks.flights.virial", checks.virial)
-      .add_diagnostic("checks.flights.power", checks.power)
-      .add_diagnostic("checks.impacts.restitution", checks.restitution)
-      .add_diagnostic("checks.impacts.wall_distance", checks.wall_distance)
-      .add_diagnostic("checks.impulses.rate", checks.rate)
-      .add_diagnostic("checks.impulses.mean", checks.mean)
-      .add_diagnostic("checks.impulses.mean_square", checks.mean_square)
-      .add_diagnostic("checks.generator.hotelling", checks.generator.statistic)
-      .add_diagnostic("checks.generator.dimensions",
-                      transform::value_from_count(checks.generator.dimensions))
-      .add_diagnostic("checks.generator.p_value", checks.generator.p_value)
-      .add_diagnostic("checks.plain_moments", checks.plain_moments);
+void add_check_metrics(const SimulationIdentityChecks& checks,
+                       transform::SolverMetricsBuilder& builder) {
+  builder.add_diagnostic_metric("checks.flights.momentum", checks.momentum)
+      .add_diagnostic_metric("checks.flights.virial", checks.virial)
+      .add_diagnostic_metric("checks.flights.power", checks.power)
+      .add_diagnostic_metric("checks.impacts.restitution", checks.restitution)
+      .add_diagnostic_metric("checks.impacts.wall_distance", checks.wall_distance)
+      .add_diagnostic_metric("checks.impulses.rate", checks.rate)
+      .add_diagnostic_metric("checks.impulses.mean", checks.mean)
+      .add_diagnostic_metric("checks.impulses.mean_square", checks.mean_square)
+      .add_diagnostic_metric("checks.generator.hotelling", checks.generator.statistic)
+      .add_diagnostic_metric("checks.generator.dimensions",
+                             transform::value_from_count(checks.generator.dimensions))
+      .add_diagnostic_metric("checks.generator.p_value", checks.generator.p_value)
+      .add_diagnostic_metric("checks.plain_moments", checks.plain_moments);
 }
 
-std::string checks_note(const SimulationChecks& checks) {
-  const auto failed = checks.failed_checks();
+std::string checks_note(const SimulationIdentityChecks& checks) {
+  const auto failed = checks.failed_check_names();
   const std::string verdict = failed.empty()
                                   ? "all checks of motion, impacts and impulses passed"
                                   : fmt::format("failed checks: {}", fmt::join(failed, ", "));
@@ -54,16 +56,16 @@ std::string checks_note(const SimulationChecks& checks) {
       checks.generator.dimensions, checks.generator.p_value);
 }
 
-void set_status(const SimulationChecks& checks, Solution& solution) {
-  const auto wrong = checks.failed_deterministic_checks();
-  if (wrong.empty() || !solution.is_ok()) return;
+void set_status(const SimulationIdentityChecks& checks, Solution& solution) {
+  const auto wrong = checks.failed_deterministic_check_names();
+  if (wrong.empty() || !solution.has_status_ok()) return;
   solution.status = transform::Status::failed;
   solution.reason = fmt::format(
       "failed checks of {}: the simulation deviates from the problem; report this as a defect",
       fmt::join(wrong, ", "));
 }
 
-transform::SmoothBinEstimate make_smooth_bin_estimate(const BinEstimates& bins,
+transform::SmoothBinEstimate make_smooth_bin_estimate(const SmoothBinAverageEstimates& bins,
                                                       double confidence_interval_factor) {
   std::vector<double> averages, lower, upper;
   for (const auto& [controlled, plain] : bins.averages) {
@@ -82,18 +84,20 @@ transform::SmoothBinEstimate make_smooth_bin_estimate(const BinEstimates& bins,
 
 }  // namespace
 
-Result estimate_and_check_simulation(const ControlVariateSetup& setup, mcs::Result simulation) {
+ControlVariateResult estimate_and_check_simulation(const ControlVariateSetup& setup,
+                                                   mcs::SimulationResult simulation) {
   const auto streams = std::exchange(simulation.summary.deposits, {});
-  const Eigen::MatrixXd generator = generator_means(setup, streams);
+  const Eigen::MatrixXd generator = stream_means_of_generated_splines(setup, streams);
   FunctionalEstimates estimates = estimate_functionals(setup, generator, streams);
-  const SimulationChecks judged = check_simulation(setup, generator, streams, estimates);
+  const SimulationIdentityChecks judged =
+      compute_simulation_identity_checks(setup, generator, streams, estimates);
   return {.estimates = std::move(estimates),
           .checks = judged,
           .simulation = std::move(simulation),
           .backward_means = setup.backward_means};
 }
 
-Solution make_solution(Result&& result) {
+Solution solution_estimated_by_control_variates(ControlVariateResult&& result) {
   const auto& [estimates, checks, simulation, means] = result;
   Solution solution = std::move(result.simulation.solution);
   for (std::size_t k = 0; k < kMoments.size(); ++k) {
@@ -107,22 +111,22 @@ Solution make_solution(Result&& result) {
       {StateVariable::y, make_smooth_bin_estimate(estimates.y, factor)},
       {StateVariable::ydot, make_smooth_bin_estimate(estimates.v, factor)}};
   const auto &y = estimates.y.controlled_l1, &v = estimates.v.controlled_l1;
-  solution.smooth_sampling = transform::SamplingError{
+  solution.smooth_sampling = transform::MarginalSamplingErrors{
       .y = y.expected, .ydot = v.expected, .y_99 = y.quantile_99, .ydot_99 = v.quantile_99};
-  transform::MetricBuilder builder;
+  transform::SolverMetricsBuilder builder;
   add_plain_metrics(estimates, builder);
   add_check_metrics(checks, builder);
-  builder.add_text("notes[0]", checks_note(checks));
+  builder.add_text_metric("notes[0]", checks_note(checks));
   for (auto& observation : builder.take_metrics())
     solution.metrics.push_back(std::move(observation));
   set_status(checks, solution);
   return solution;
 }
 
-Solution annotate_plain_solution(Solution&& plain, const std::string& reason) {
-  transform::MetricBuilder builder;
-  builder.add_text("notes[0]",
-                   fmt::format("plain simulation without control variates: {}", reason));
+Solution with_note_on_missing_control_variates(Solution&& plain, const std::string& reason) {
+  transform::SolverMetricsBuilder builder;
+  builder.add_text_metric("notes[0]",
+                          fmt::format("plain simulation without control variates: {}", reason));
   for (auto& observation : builder.take_metrics()) plain.metrics.push_back(std::move(observation));
   return std::move(plain);
 }

@@ -11,23 +11,26 @@
 
 namespace fpkcheck::control_variates {
 
-struct Result {
+struct ControlVariateResult {
   FunctionalEstimates estimates;
-  SimulationChecks checks;
-  mcs::Result simulation;  ///< solution and summary of the simulation, without the deposited sums
+  SimulationIdentityChecks checks;
+  mcs::SimulationResult
+      simulation;  ///< solution and summary of the simulation, without the deposited sums
   std::vector<double> backward_means;
 };
 
 /// Computes estimates and checks from the deposited sums of a simulation.
 /// @pre the simulation used setup.deposit_layout.grid
-Result estimate_and_check_simulation(const ControlVariateSetup& setup, mcs::Result simulation);
+ControlVariateResult estimate_and_check_simulation(const ControlVariateSetup& setup,
+                                                   mcs::SimulationResult simulation);
 
 /// Returns the solution with moments and smooth bins estimated by control variates. The estimates
 /// without control variates and the results of the checks become metrics.
-transform::Solution make_solution(Result&& result);
+transform::Solution solution_estimated_by_control_variates(ControlVariateResult&& result);
 
 /// Adds a note to the solution of a simulation without control variates.
 /// @param reason clause of the note: why the simulation uses no control variates
-transform::Solution annotate_plain_solution(transform::Solution&& plain, const std::string& reason);
+transform::Solution with_note_on_missing_control_variates(transform::Solution&& plain,
+                                                          const std::string& reason);
 
 }  // namespace fpkcheck::control_variates

@@ -19,36 +19,41 @@ namespace {
 // 0.9 rad.
 constexpr double kStep = 0.5;
 
-constexpr double kMostBytes = 256e6;  // limit on the memory of the velocity lattices of all streams
+// Largest memory in bytes of the velocity lattices of all streams.
+constexpr double kMostBytes = 256e6;
 
 // Returns more cells for longer simulations, since the fit of 80 x 176 cells takes as long as the
-// simulation of about 1e7 samples. With checkpoints the number does not depend on the simulated
-// time, so that a longer simulation can resume from the checkpoint of a shorter simulation.
-ControlSplineCells choose_spline_cells(const mcs::SimulationPlan& plan,
-                                       const mcs::Options& options) {
+// simulation of about 1e7 samples. With checkpoints the number of spline cells does not depend on
+// the simulated time, so that a longer simulation can resume from the checkpoint of a shorter
+// simulation.
+ControlVariateSplineCells choose_spline_cells(const mcs::SimulationPlan& plan,
+                                              const mcs::SimulationOptions& options) {
   if (!options.checkpoint.empty() || !options.resume.empty()) return {};
   constexpr double kFewSamples = 2e5, kManySamples = 1e7;
   const double samples =
       static_cast<double>(plan.rounds) * static_cast<double>(plan.samples_per_round) * plan.streams;
   if (samples < kFewSamples) return {.y = 40, .v = 88};
-  return samples < kManySamples ? ControlSplineCells{} : ControlSplineCells{.y = 80, .v = 176};
+  return samples < kManySamples ? ControlVariateSplineCells{}
+                                : ControlVariateSplineCells{.y = 80, .v = 176};
 }
 
-double lattice_bytes(const mcs::DepositGrid& grid) {
+double lattice_bytes(const mcs::SampleDepositGrid& grid) {
   return static_cast<double>(sizeof(double)) * grid.y_spline_count() * grid.lattice_points;
 }
 
 transform::Solution solve_without_control_variates(const problem::Problem& problem,
-                                                   const Options& options,
+                                                   const ControlVariateOptions& options,
                                                    const std::string& reason) {
-  mcs::Options plain = options.simulation;
+  mcs::SimulationOptions plain = options.simulation;
   plain.controlled = false;
-  return annotate_plain_solution(mcs::solve(problem, plain).solution, reason);
+  return with_note_on_missing_control_variates(
+      mcs::simulate_stationary_density(problem, plain).solution, reason);
 }
 
 }  // namespace
 
-transform::Solution solve(const problem::Problem& problem, const Options& options) {
+transform::Solution simulate_with_control_variates(const problem::Problem& problem,
+                                                   const ControlVariateOptions& options) {
   if (options.simulation.equation != mcs::DensityEquation::kf || options.simulation.tails) {
     return solve_without_control_variates(
         problem, options, "control functions exist for impulses without splitting only");
@@ -60,12 +65,12 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
         "impulses");
   }
   const base::Stopwatch stopwatch;
-  mcs::Options simulation = options.simulation;
+  mcs::SimulationOptions simulation = options.simulation;
   simulation.controlled = true;
   simulation.step = simulation.step.value_or(kStep);
   const mcs::SimulationPlan plan = mcs::make_simulation_plan(problem, simulation);
-  const DepositLayout layout =
-      make_deposit_layout(problem, options.cells.value_or(choose_spline_cells(plan, simulation)));
+  const DepositedSumLayout layout = make_deposited_sum_layout(
+      problem, options.cells.value_or(choose_spline_cells(plan, simulation)));
   if (lattice_bytes(layout.grid) * simulation.streams > kMostBytes) {
     return solve_without_control_variates(problem, options,
                                           "impulses this small need too much memory");
@@ -83,7 +88,7 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
       options.simulation.progress({.fraction = fitted ? at.fraction : 0});
     };
   }
-  mcs::Result simulated = mcs::solve(problem, simulation);
+  mcs::SimulationResult simulated = mcs::simulate_stationary_density(problem, simulation);
   transform::Solution solution;
   if (!simulated.solution.density) {
     solution = std::move(simulated.solution);
@@ -91,9 +96,10 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
     try {
       // Since setup.get() may throw FitFailure, `simulated` is moved only after setup.get().
       const ControlVariateSetup fitted = setup.get();
-      solution = make_solution(estimate_and_check_simulation(fitted, std::move(simulated)));
+      solution = solution_estimated_by_control_variates(
+          estimate_and_check_simulation(fitted, std::move(simulated)));
     } catch (const backward::FitFailure& why) {
-      solution = annotate_plain_solution(std::move(simulated.solution), why.what());
+      solution = with_note_on_missing_control_variates(std::move(simulated.solution), why.what());
     }
   }
   mcs::require_accuracy(options.simulation, solution);

@@ -13,17 +13,18 @@
 /// The library `backward` fits h on splines.
 namespace fpkcheck::control_variates {
 
-struct Options {
-  /// Options of the simulation. solve() sets `deposit`, and sets an empty `step` to 0.5 rad. The
-  /// reported fraction of progress is 0 until the fit of the control functions ends.
-  mcs::Options simulation{};
-  /// Numbers of cells of the control functions. The default is 64 x 100 cells; without checkpoints
-  /// 40 x 88 if the time limit of the simulation is below 2e5 sampling intervals, and 80 x 176 above
-  /// 1e7.
-  std::optional<ControlSplineCells> cells{};
+struct ControlVariateOptions {
+  /// ControlVariateOptions of the simulation. simulate_with_control_variates() sets `deposit`, and
+  /// sets an empty `step` to 0.5 rad. The reported fraction of progress is 0 until the fit of the
+  /// control variates ends.
+  mcs::SimulationOptions simulation{};
+  /// Numbers of spline cells of the control variates. The default is 64 x 100 cells; without
+  /// checkpoints 40 x 88 if the time limit of the simulation is below 2e5 sampling intervals, and
+  /// 80 x 176 above 1e7.
+  std::optional<ControlVariateSplineCells> cells{};
 };
 
-/// Simulates the oscillator and fits the control functions at the same time. Returns moments and
+/// Simulates the oscillator and fits the control variates at the same time. Returns moments and
 /// marginal densities in smooth bins with reduced sampling errors. If a check without sampling
 /// error fails, the status is `failed`. Any other failed check adds a note.
 ///
@@ -31,6 +32,7 @@ struct Options {
 /// other than `kf`, with the option `tails`, for unsupported oscillators, if memory is
 /// insufficient, and if the fit fails.
 /// @throws InputError as mcs::solve
-transform::Solution solve(const problem::Problem& problem, const Options& options = {});
+transform::Solution simulate_with_control_variates(const problem::Problem& problem,
+                                                   const ControlVariateOptions& options = {});
 
 }  // namespace fpkcheck::control_variates

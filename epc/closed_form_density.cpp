@@ -35,14 +35,14 @@ const problem::Problem& require_problem(const problem::Problem* problem,
   throw InputError("\"support.energy\" depends on the oscillator: none was given; name its case");
 }
 
-SmoothDensity density_in_plane(const ClosedForm& form) {
+SmoothDensity density_in_plane(const ClosedFormDensity& form) {
   const auto& [q, frame] = form;
   if (frame.deviations) {
     const gaussian::DensitySupport support(q, *frame.deviations);
     return gaussian::density_from_exponent(
         q, support, frame.log_constant.value_or(gaussian::log_normalising_constant(support)));
   }
-  const BoundingBox box = frame.box.value();
+  const DensityBoundingBox box = frame.box.value();
   return transform::zhuravlev_transform(
       {.value =
            [polynomial = q, box, constant = frame.log_constant.value_or(0)](double x1, double x2) {
@@ -53,7 +53,7 @@ SmoothDensity density_in_plane(const ClosedForm& form) {
        .x2_max = box.v_max});
 }
 
-SmoothDensity density_in_physical_variables(const ClosedForm& form,
+SmoothDensity density_in_physical_variables(const ClosedFormDensity& form,
                                             const problem::Problem* problem) {
   const auto& [q, frame] = form;
   if (frame.deviations) {
@@ -67,7 +67,7 @@ SmoothDensity density_in_physical_variables(const ClosedForm& form,
         q, moment::EnergyDomain(require_problem(problem, frame), frame.support), {frame.level},
         constant);
   }
-  const BoundingBox box = frame.box.value();
+  const DensityBoundingBox box = frame.box.value();
   return {.value =
               [polynomial = q, box, constant](double y, double v) {
                 const bool inside = y >= box.y_min && y <= box.y_max && std::abs(v) <= box.v_max;
@@ -78,14 +78,15 @@ SmoothDensity density_in_physical_variables(const ClosedForm& form,
           .y_min = box.y_min};
 }
 
-SmoothDensity density_in_polar_variables(const ClosedForm& form, const problem::Problem* problem) {
+SmoothDensity density_in_polar_variables(const ClosedFormDensity& form,
+                                         const problem::Problem* problem) {
   const auto& [q, frame] = form;
-  const polar::Coordinates coordinates(require_problem(problem, frame));
+  const polar::AmplitudePhaseCoordinates coordinates(require_problem(problem, frame));
   const double constant = frame.log_constant.value_or(0);
   if (std::isfinite(frame.support)) {
     return amplitude::density_from_exponent(q, coordinates, frame.support, {frame.level}, constant);
   }
-  const BoundingBox box = frame.box.value();
+  const DensityBoundingBox box = frame.box.value();
   return {.value =
               [polynomial = q, coordinates, box, constant](double y, double v) {
                 const bool inside = y >= 0 && y <= box.y_max && std::abs(v) <= box.v_max;
@@ -98,14 +99,15 @@ SmoothDensity density_in_polar_variables(const ClosedForm& form, const problem::
           .v_max = box.v_max};
 }
 
-contact::Coordinates contact_coordinates(const problem::Problem& problem) {
-  if (contact::force_presses_on_single_wall(problem)) return contact::Coordinates(problem);
+contact::AmplitudeVelocityCoordinates contact_coordinates(const problem::Problem& problem) {
+  if (contact::force_presses_on_single_wall(problem))
+    return contact::AmplitudeVelocityCoordinates(problem);
   throw InputError(
       "coordinates \"amplitude,velocity\" need one wall against which the force presses: the case "
       "has none; name its case");
 }
 
-SmoothDensity density_in_contact_variables(const ClosedForm& form,
+SmoothDensity density_in_contact_variables(const ClosedFormDensity& form,
                                            const problem::Problem* problem) {
   const auto& [q, frame] = form;
   const auto coordinates = contact_coordinates(require_problem(problem, frame));
@@ -113,7 +115,7 @@ SmoothDensity density_in_contact_variables(const ClosedForm& form,
   if (std::isfinite(frame.support)) {
     return amplitude::density_from_exponent(q, coordinates, frame.support, {frame.level}, constant);
   }
-  const BoundingBox box = frame.box.value();
+  const DensityBoundingBox box = frame.box.value();
   const double far = std::numeric_limits<double>::infinity();
   return {
       .value =
@@ -125,7 +127,8 @@ SmoothDensity density_in_contact_variables(const ClosedForm& form,
       .v_max = box.v_max};
 }
 
-SmoothDensity density_in_form_coordinates(const ClosedForm& form, const problem::Problem* problem) {
+SmoothDensity density_in_form_coordinates(const ClosedFormDensity& form,
+                                          const problem::Problem* problem) {
   switch (form.frame.variables) {
     case ExponentCoordinates::plane:
       return density_in_plane(form);
@@ -153,15 +156,15 @@ std::optional<problem::Problem> problem_in_coordinates(const problem::WallFrame&
 }
 
 // Returns the integral of the density of a closed form without a constant C, including the atom.
-double integrate_with_atom(const ClosedForm& form, const problem::Problem* problem,
+double integrate_with_atom(const ClosedFormDensity& form, const problem::Problem* problem,
                            const SmoothDensity& density) {
   if (form.frame.variables != ExponentCoordinates::contact) {
-    return transform::quadrature_marginals(density, density.y_max, density.v_max,
-                                           transform::QuadraturePanelSpacing::graded)
+    return transform::marginals_at_quadrature_points(density, density.y_max, density.v_max,
+                                                     transform::QuadraturePanelSpacing::graded)
         .mass;
   }
   return transform::mass(contact::average_on_graded_cells(density)) +
-         contact_coordinates(*problem).atom_weight() * std::exp(form.q(0, 0));
+         contact_coordinates(*problem).relative_atom_probability() * std::exp(form.q(0, 0));
 }
 
 bool has_support(const ClosedFormParameters& frame) {
@@ -170,12 +173,13 @@ bool has_support(const ClosedFormParameters& frame) {
 
 }  // namespace
 
-bool can_be_normalised(const ClosedForm& form) {
+bool can_be_normalised(const ClosedFormDensity& form) {
   return form.frame.log_constant || has_support(form.frame);
 }
 
-SmoothDensity density_of_closed_form(const ClosedForm& form, const problem::Problem* problem) {
-  ClosedForm whole = form;
+SmoothDensity density_of_closed_form(const ClosedFormDensity& form,
+                                     const problem::Problem* problem) {
+  ClosedFormDensity whole = form;
   ClosedFormParameters& frame = whole.frame;
   const auto converted = problem_in_coordinates(frame.coordinates, problem);
   const problem::Problem* form_problem = converted ? &*converted : nullptr;
@@ -186,7 +190,7 @@ SmoothDensity density_of_closed_form(const ClosedForm& form, const problem::Prob
   const bool bounded = has_support(frame);
   if (!bounded) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
-    frame.box = BoundingBox{kFar, kFar};
+    frame.box = DensityBoundingBox{kFar, kFar};
   }
   SmoothDensity result = density_in_form_coordinates(whole, form_problem);
   if (frame.log_constant || frame.deviations || !bounded) {

@@ -13,11 +13,11 @@ namespace fpkcheck::epc {
 ///   support. A form without constant and support gives C = 1 and an unbounded density.
 /// @throws InputError if a required problem is missing, the problem has no wall at the origin of
 ///   the form, or the integral over the support is not positive
-transform::SmoothDensity density_of_closed_form(const ClosedForm& form,
+transform::SmoothDensity density_of_closed_form(const ClosedFormDensity& form,
                                                 const problem::Problem* problem);
 
 /// Returns whether the closed form has a constant C, or a support over which its density can be
 /// normalised.
-bool can_be_normalised(const ClosedForm& form);
+bool can_be_normalised(const ClosedFormDensity& form);
 
 }  // namespace fpkcheck::epc

@@ -7,17 +7,19 @@
 #include "epc/summary.hpp"
 #include "problem/problem.hpp"
 
-/// Solvers of the formulations of the closure, called by epc::solve() with validated options.
+/// Solvers of the formulations of the closure, called by epc::solve_closure() with validated
+/// options.
 namespace fpkcheck::epc {
 
 /// The paper's closure p(z, z') = C exp(Q_n) on the whole plane, with the projections (23) under
 /// the Gaussian weights (25)-(26).
 namespace gaussian {
 
-/// Solves the projected equations (23) and assesses the root by kEdgeDensityLimit, kMassTolerance,
-/// kEnergyResidualLimit and kOrderDistanceLimit (epc/summary.hpp). For `kf` a root that depends on
-/// the disc of JumpIntegralRemainder is discarded.
-Result solve(const problem::Problem& problem, const Options& options);
+/// Solves the projected equations (23) and assesses the root by kMaxSupportEdgeDensity,
+/// kClosureMassTolerance, kMaxClosureEnergyResidual and kMaxL1DistanceToPreviousOrder
+/// (epc/summary.hpp). For `kf` a root that depends on the disc of JumpIntegralRemainder is
+/// discarded.
+ClosureResult solve_closure(const problem::Problem& problem, const ClosureOptions& options);
 
 /// Computes the density over time by the projections (23) of the time-dependent equation. With p =
 /// C(t) exp(Q_n(a(t))) and the residual F of the paper, the equation dp/dt = L p is dQ_n/dt + d ln
@@ -29,55 +31,56 @@ Result solve(const problem::Problem& problem, const Options& options);
 /// (23). The coefficients a are the state of CVODE.
 ///
 /// The status is `inadmissible` if at a snapshot the density on the edge of DensitySupport is above
-/// kEdgeDensityLimit of its peak. The status is `not_converged` if CVODE fails or if M is singular,
-/// for example for a density much wider than the weight.
+/// kMaxSupportEdgeDensity of its peak. The status is `not_converged` if CVODE fails or if M is
+/// singular, for example for a density much wider than the weight.
 /// @pre with a wall, the means of the initial density are 0; the equation is white or km4; the
 ///   excitation is constant
-ClosureEvolution solve_evolution(const problem::Problem& problem, const Options& options,
+ClosureEvolution solve_evolution(const problem::Problem& problem, const ClosureOptions& options,
                                  const EvolutionRequest& request);
 
 }  // namespace gaussian
 
-/// Closure p(y, v) = C exp(Q_n(y, v)) between the walls, with all monomials of degree 1 .. n in
-/// Q_n. The density satisfies the exact moment equations of the impact process for every polynomial
-/// of degree up to n. The form of the exponent is the only approximation. The series (15) is
-/// complete, and the impact condition (2) is exact.
+/// Closure p(y, v) = C exp(Q_n(y, v)) between the walls, with all monomials of degree 1 .. n in the
+/// polynomial Q_n. The closure density satisfies the exact moment equations of the impact process
+/// for every polynomial of degree up to n. The polynomial form of the exponent is the only
+/// approximation. The moment equations contain the complete series (15) of the paper and the exact
+/// impact condition (2).
 namespace moment {
 
 /// Solves the exact moment equations in y and v and assesses the root. The status `ok` requires
-/// that the density decays to kEdgeDensityLimit of its peak on the edge of its support, and
-/// exp(Q_n) to kLevelDensityLimit of its peak at the confinement level. The function
-/// half_plane::set_status() checks further conditions.
-Result solve(const problem::Problem& problem, const Options& options);
+/// that the density decays to kMaxSupportEdgeDensity of its peak on the edge of its support, and
+/// exp(Q_n) to kLevelDensityLimit of its peak at the confinement level. Further conditions of the
+/// status are checked by half_plane::set_status().
+ClosureResult solve_closure(const problem::Problem& problem, const ClosureOptions& options);
 
 /// Computes the density over time by half_plane::solve_evolution().
-ClosureEvolution solve_evolution(const problem::Problem& problem, const Options& options,
+ClosureEvolution solve_evolution(const problem::Problem& problem, const ClosureOptions& options,
                                  const EvolutionRequest& request);
 
 }  // namespace moment
 
 /// Closure p(y, v) = C exp(Q_n(rho, theta)) on y >= 0 in the amplitude rho and the phase theta of
-/// polar::Coordinates. The means of all products rho^p theta^q, 1 <= p + q <= n, are stationary
-/// under the exact impact process. Unlike the closure in y and v (`moment`), the closure in
-/// amplitude and phase represents the jump of the density at the origin.
+/// polar::AmplitudePhaseCoordinates. The means of all products rho^p theta^q, 1 <= p + q <= n, are
+/// stationary under the exact impact process. Unlike the closure in y and v (`moment`), the closure
+/// in amplitude and phase represents the jump of the density at the origin.
 namespace polar {
 
 /// Solves the exact moment equations in amplitude and phase and assesses the root. The status `ok`
-/// requires that the density decays to 1e-4 of its peak at the confinement level.
-Result solve(const problem::Problem& problem, const Options& options);
+/// requires that the closure density decays to 1e-4 of its peak at the confinement level.
+ClosureResult solve_closure(const problem::Problem& problem, const ClosureOptions& options);
 
 /// Computes the density over time by half_plane::solve_evolution().
-ClosureEvolution solve_evolution(const problem::Problem& problem, const Options& options,
+ClosureEvolution solve_evolution(const problem::Problem& problem, const ClosureOptions& options,
                                  const EvolutionRequest& request);
 
 }  // namespace polar
 
 namespace contact {
 
-/// Solves the closure for a mass that can rest in contact with a wall. The density is C
+/// Solves the closure for a mass that can rest in contact with a wall. The closure density is C
 /// exp(Q_n(rho, v) + confinement) divided by the energy, with an atom for the mass at rest.
 /// @pre force_presses_on_single_wall(problem)
-Result solve(const problem::Problem& problem, const Options& options);
+ClosureResult solve_closure(const problem::Problem& problem, const ClosureOptions& options);
 
 }  // namespace contact
 

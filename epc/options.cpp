@@ -17,13 +17,13 @@ AdmissibleRange allowed_orders(Formulation formulation) {
           "a polynomial of odd degree rises in some direction; rounding limits the order");
 }
 
-void require_order(const Options& options) {
+void require_order(const ClosureOptions& options) {
   const AdmissibleRange range = allowed_orders(options.formulation);
   if (range.contains(options.order)) return;
   throw InputError(fmt::format("epc order = {} (must be {})", options.order, range.requirement));
 }
 
-void require_equation(const Options& options) {
+void require_equation(const ClosureOptions& options) {
   const DensityEquation equation = effective_equation(options);
   switch (options.formulation) {
     case Formulation::gaussian:
@@ -47,9 +47,9 @@ void require_equation(const Options& options) {
   }
 }
 
-std::string formulation_and_variant(const Options& options) {
+std::string formulation_and_variant(const ClosureOptions& options) {
   std::string text(name(options.formulation));
-  if (options.formulation == Formulation::moment && options.tail == TailTreatment::cut)
+  if (options.formulation == Formulation::moment && options.tail == DensityTailTreatment::cut)
     text += "-cut";
   const DensityEquation equation = effective_equation(options);
   if (equation != default_equation(options.formulation)) {
@@ -60,8 +60,8 @@ std::string formulation_and_variant(const Options& options) {
 
 }  // namespace
 
-const Description<Options>& description() {
-  using O = Options;
+const Description<ClosureOptions>& description() {
+  using O = ClosureOptions;
   static const auto description =
       Description<O>("epc ")
           .add("order", &O::order,
@@ -94,18 +94,19 @@ const Description<Options>& description() {
           .add("max_seconds", &O::max_seconds,
                {"S", "for moment and polar: deadline after which no new attempt at a root begins"},
                positive_numbers())
-          .with_default(Options{}.max_seconds)
+          .with_default(ClosureOptions{}.max_seconds)
           .add("max_iterations", &O::max_iterations, {"N", "largest number of Newton steps"},
                positive_numbers().with_appended_reason("Newton's method takes at least one step"))
           .without_flag();
   return description;
 }
 
-void validate(const Options& options) {
+void validate(const ClosureOptions& options) {
   require_order(options);
   description().validate(options);
   require_equation(options);
-  if (options.formulation != Formulation::moment && options.tail != TailTreatment::confined) {
+  if (options.formulation != Formulation::moment &&
+      options.tail != DensityTailTreatment::confined) {
     throw InputError(fmt::format("epc tail = {}: the formulation {} has no such option; omit it",
                                  name(options.tail), name(options.formulation)));
   }
@@ -125,15 +126,15 @@ DensityEquation default_equation(Formulation formulation) {
   return formulation == Formulation::gaussian ? DensityEquation::km4 : DensityEquation::kf;
 }
 
-DensityEquation effective_equation(const Options& options) {
+DensityEquation effective_equation(const ClosureOptions& options) {
   return options.equation.value_or(default_equation(options.formulation));
 }
 
-std::string id(const Options& options) {
+std::string solution_id(const ClosureOptions& options) {
   return fmt::format("epc-{}-n{}", formulation_and_variant(options), options.order);
 }
 
-std::optional<Options> options_of(std::string_view id) {
+std::optional<ClosureOptions> options_of(std::string_view id) {
   constexpr std::string_view kOrder = "-n";
   const auto mark = id.rfind(kOrder);
   if (mark == std::string_view::npos) return std::nullopt;
@@ -144,7 +145,8 @@ std::optional<Options> options_of(std::string_view id) {
   for (const auto& formulation : kFormulationNames) {
     for (const auto& tail : kTailTreatmentNames) {
       for (const auto& equation : problem::kEquationNames) {
-        Options options{.order = order, .formulation = formulation.value, .tail = tail.value};
+        ClosureOptions options{
+            .order = order, .formulation = formulation.value, .tail = tail.value};
         if (equation.value != default_equation(formulation.value))
           options.equation = equation.value;
         if (stem == "epc-" + formulation_and_variant(options)) return options;
@@ -154,8 +156,8 @@ std::optional<Options> options_of(std::string_view id) {
   return std::nullopt;
 }
 
-transform::SolutionIdentity identity(const Options& options) {
-  return {.id = id(options),
+transform::SolutionIdentity solution_identity(const ClosureOptions& options) {
+  return {.id = solution_id(options),
           .method = "epc",
           .formulation = formulation_and_variant(options),
           .order = options.order,

@@ -17,18 +17,19 @@ using transform::Moments;
 using transform::Status;
 
 // The moments of a closure and their derivatives with respect to each parameter.
-struct MomentDerivatives {
+struct ClosureMomentDerivatives {
   Moments moments;
   std::vector<Moments> derivatives = {};
   std::string failure = {};
 };
 
-MomentDerivatives moment_derivatives(const problem::Problem& transformed, const Options& options,
-                                     const std::vector<problem::ParameterDerivative>& parameters) {
-  MomentDerivatives result;
+ClosureMomentDerivatives moment_derivatives(
+    const problem::Problem& transformed, const ClosureOptions& options,
+    const std::vector<problem::ParameterDifferenceQuotient>& parameters) {
+  ClosureMomentDerivatives result;
   // Returns the moments of the closure of a problem, and stores the first failure.
   const auto moments_of = [&](const problem::Problem& problem, const std::string& changed) {
-    const Result closure = solve(problem, options);
+    const ClosureResult closure = solve_closure(problem, options);
     const auto& solution = closure.solution;
     if (solution.status != Status::ok && result.failure.empty()) {
       result.failure = fmt::format("order {}{}: {}: {}", options.order, changed,
@@ -54,12 +55,12 @@ MomentDerivatives moment_derivatives(const problem::Problem& transformed, const 
 
 }  // namespace
 
-transform::Sensitivities solve_sensitivities(
-    const problem::Problem& problem, const Options& options,
-    const std::vector<problem::ParameterDerivative>& parameters) {
+transform::MomentSensitivities solve_sensitivities(
+    const problem::Problem& problem, const ClosureOptions& options,
+    const std::vector<problem::ParameterDifferenceQuotient>& parameters) {
   validate(options);
   const base::Stopwatch stopwatch;
-  transform::Sensitivities result{.id = id(options)};
+  transform::MomentSensitivities result{.id = solution_id(options)};
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
   result.reason = unsupported_reason(transformed, options);
@@ -67,10 +68,10 @@ transform::Sensitivities solve_sensitivities(
     result.status = Status::not_offered;
     return result;
   }
-  const MomentDerivatives found = moment_derivatives(transformed, options, parameters);
-  MomentDerivatives previous;
+  const ClosureMomentDerivatives found = moment_derivatives(transformed, options, parameters);
+  ClosureMomentDerivatives previous;
   if (found.failure.empty() && options.order > 2) {
-    Options lower = options;
+    ClosureOptions lower = options;
     lower.order -= 2;
     previous = moment_derivatives(transformed, lower, parameters);
   }

@@ -9,29 +9,30 @@
 namespace fpkcheck::epc {
 namespace {
 
-Result solve_formulation(const problem::Problem& problem, const Options& options) {
+ClosureResult solve_formulation(const problem::Problem& problem, const ClosureOptions& options) {
   switch (options.formulation) {
     case Formulation::gaussian:
-      return gaussian::solve(problem, options);
+      return gaussian::solve_closure(problem, options);
     case Formulation::moment:
-      return moment::solve(problem, options);
+      return moment::solve_closure(problem, options);
     case Formulation::polar:
-      return contact::force_presses_on_single_wall(problem) ? contact::solve(problem, options)
-                                                            : polar::solve(problem, options);
+      return contact::force_presses_on_single_wall(problem)
+                 ? contact::solve_closure(problem, options)
+                 : polar::solve_closure(problem, options);
   }
   return {};
 }
 
 }  // namespace
 
-Result solve(const problem::Problem& problem, const Options& options) {
+ClosureResult solve_closure(const problem::Problem& problem, const ClosureOptions& options) {
   validate(options);
   const base::Stopwatch stopwatch;
-  Result result = solve_formulation(problem, options);
+  ClosureResult result = solve_formulation(problem, options);
   auto& [solution, summary] = result;
   summary.order = options.order;
   summary.formulation = options.formulation;
-  solution.identity = identity(options);
+  solution.identity = solution_identity(options);
   solution.metrics = metrics(summary, summary.moments);
   solution.seconds = stopwatch.seconds();
   return result;
@@ -51,11 +52,11 @@ std::string wall_unsupported_reason(const problem::ProblemFeatures& features) {
   return "";
 }
 
-// Without noise the mass sticks where a force jumps. The law then has an atom or a density on a
-// line.
-std::string force_jump_reason(const problem::Problem& problem, const Options& options) {
+// Without white noise the oscillator sticks where a force jumps, and the stationary law has an atom
+// or a density on a line.
+std::string force_jump_reason(const problem::Problem& problem, const ClosureOptions& options) {
   const bool noise =
-      problem.noise.is_present() || effective_equation(options) == DensityEquation::white;
+      problem.noise.is_acting() || effective_equation(options) == DensityEquation::white;
   if (noise || !problem.system.has_force_jumps()) return "";
   return "the mass sticks where the force jumps (sign): no exponential polynomial has the "
          "singular part of the law; smooth the jump: tanh(v/eps)";
@@ -63,7 +64,7 @@ std::string force_jump_reason(const problem::Problem& problem, const Options& op
 
 std::string gaussian_unsupported_reason(const problem::Problem& problem,
                                         const problem::ProblemFeatures& features,
-                                        const Options& options) {
+                                        const ClosureOptions& options) {
   const bool is_polynomial = problem.system.has_polynomial_force();
   if (features.two_walls || (!features.no_wall && is_polynomial && !features.constant_damping)) {
     return "the formulation gaussian supports one wall with constant damping, or no wall";
@@ -76,7 +77,7 @@ std::string gaussian_unsupported_reason(const problem::Problem& problem,
 
 }  // namespace
 
-std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
+std::string unsupported_reason(const problem::Problem& problem, const ClosureOptions& options) {
   if (options.formulation == Formulation::polar) {
     std::string why = problem::polynomial_method_unsupported_reason(problem);
     if (!why.empty()) return why;

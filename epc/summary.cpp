@@ -9,8 +9,8 @@
 namespace fpkcheck::epc {
 namespace {
 
-using transform::MetricBuilder;
-using transform::MetricKind;
+using transform::SolverMetricKind;
+using transform::SolverMetricsBuilder;
 using transform::value_from_count;
 using transform::value_from_optional;
 
@@ -18,16 +18,16 @@ base::Value text_value(std::string_view text) { return std::string(text); }
 
 // Returns whether the last digits of the solution depend on the path of the root search. At high
 // orders of the formulation `moment` the path of the root search determines the quadrature points.
-bool is_path_dependent(const Summary& summary) {
+bool is_path_dependent(const ClosureSummary& summary) {
   constexpr int kSettledOrder = 8;
   return summary.formulation == Formulation::moment && summary.order > kSettledOrder;
 }
 
-// Returns the scale below which a change of a coefficient is rounding error. A unit coefficient of
-// x1^p x2^q changes the density, relative to the peak density, by at most sigma_1^p sigma_2^q max
-// |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2).
-double rounding_scale_of_coefficient(const Term& term, const transform::Moments& moments,
-                                     double rounding) {
+// Returns the scale below which a change of a closure coefficient is rounding error. A unit
+// coefficient of x1^p x2^q changes the density, relative to the peak density, by at most sigma_1^p
+// sigma_2^q max |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2).
+double rounding_scale_of_coefficient(const ExponentMonomial& term,
+                                     const transform::Moments& moments, double rounding) {
   constexpr double kRelative = 50e-8;
   if (!(moments.y2 > 0) || !(moments.v2 > 0)) return 0;
   const auto largest_weighted_power = [](int p) {
@@ -39,141 +39,143 @@ double rounding_scale_of_coefficient(const Term& term, const transform::Moments&
 }
 
 // Adds the coordinates and the constant of the closed form, for read_closed_form(). A repeated run
-// need not reproduce coordinates and constant, since the coefficients and the problem determine
-// both. Files of earlier program versions lack the metrics of the closed form.
-void add_frame_metrics(const Summary& summary, MetricBuilder& builder) {
+// need not reproduce coordinates and constant of a closed form, since the coefficients and the
+// problem determine them. Files of earlier program versions lack the metrics of the closed form.
+void add_frame_metrics(const ClosureSummary& summary, SolverMetricsBuilder& builder) {
   if (!summary.frame) return;
-  builder.add_text("coordinates", text_value(name(summary.frame->variables)))
-      .add_diagnostic("log_C", value_from_optional(summary.frame->log_constant));
+  builder.add_text_metric("coordinates", text_value(name(summary.frame->variables)))
+      .add_diagnostic_metric("log_C", value_from_optional(summary.frame->log_constant));
   const problem::WallFrame& coordinates = summary.frame->coordinates;
   if (coordinates.is_identity()) return;
-  builder.add_diagnostic("frame.origin", coordinates.origin)
-      .add_diagnostic("frame.mirrored", coordinates.mirrored);
+  builder.add_diagnostic_metric("frame.origin", coordinates.origin)
+      .add_diagnostic_metric("frame.mirrored", coordinates.mirrored);
 }
 
-void add_edge_metrics(const ClosedFormParameters& frame, MetricBuilder& builder) {
+void add_edge_metrics(const ClosedFormParameters& frame, SolverMetricsBuilder& builder) {
   if (frame.deviations) {
-    builder.add_diagnostic("support.sigma1", frame.deviations->x1)
-        .add_diagnostic("support.sigma2", frame.deviations->x2);
+    builder.add_diagnostic_metric("support.sigma1", frame.deviations->x1)
+        .add_diagnostic_metric("support.sigma2", frame.deviations->x2);
   } else {
-    builder.add_diagnostic("support.energy", frame.support);
+    builder.add_diagnostic_metric("support.energy", frame.support);
   }
 }
 
-void add_coefficient_metrics(const Summary& summary, const transform::Moments& moments,
-                             MetricBuilder& builder) {
-  // Rounding errors of the density, relative to its peak
+void add_coefficient_metrics(const ClosureSummary& summary, const transform::Moments& moments,
+                             SolverMetricsBuilder& builder) {
+  // Rounding errors of the closure density, relative to its peak
   constexpr double kRounding = 1e-14, kPathRounding = 3e-9;
   if (summary.coefficients.empty()) builder.add_empty_list("coefficients");
   const double rounding = is_path_dependent(summary) ? kPathRounding : kRounding;
   for (std::size_t k = 0; k < summary.coefficients.size(); ++k) {
-    const Term& term = summary.coefficients[k];
+    const ExponentMonomial& term = summary.coefficients[k];
     const std::string path = fmt::format("coefficients[{}].", k);
-    builder.add_result(path + "x1", value_from_count(term.x1))
-        .add_result(path + "x2", value_from_count(term.x2))
+    builder.add_result_metric(path + "x1", value_from_count(term.x1))
+        .add_result_metric(path + "x2", value_from_count(term.x2))
         .add({.path = path + "a",
               .value = term.a,
-              .kind = MetricKind::coefficient,
+              .kind = SolverMetricKind::coefficient,
               .min_scale = rounding_scale_of_coefficient(term, moments, rounding)});
   }
 }
 
-void add_support_metrics(const Summary& summary, MetricBuilder& builder) {
+void add_support_metrics(const ClosureSummary& summary, SolverMetricsBuilder& builder) {
   if (!summary.support || !summary.leading_form) {
-    builder.add_result("support", {});
+    builder.add_result_metric("support", {});
     return;
   }
-  const SupportSummary& support = *summary.support;
-  const LeadingForm& form = *summary.leading_form;
-  // A density near 0 is sensitive to the coefficients.
+  const DensitySupportSummary& support = *summary.support;
+  const LeadingFormOfExponent& form = *summary.leading_form;
+  // The edge density, if close to 0, is sensitive to rounding errors of the coefficients.
   const auto add_small_density_metric = [&](const char* path, double value) {
-    builder.add({.path = path,
-                 .value = value,
-                 .kind = is_path_dependent(summary) ? MetricKind::work : MetricKind::result,
-                 .min_scale = 1e-6,
-                 .is_rounding_sensitive = true});
+    builder.add(
+        {.path = path,
+         .value = value,
+         .kind = is_path_dependent(summary) ? SolverMetricKind::work : SolverMetricKind::result,
+         .min_scale = 1e-6,
+         .is_rounding_sensitive = true});
   };
-  builder.add_result("support.least_radius", support.least_radius)
-      .add_result("support.greatest_radius", support.greatest_radius)
-      .add_result("support.y_max", support.y_max)
-      .add_result("support.v_max", support.v_max);
-  if (support.y_min != 0) builder.add_result("support.y_min", support.y_min);
+  builder.add_result_metric("support.least_radius", support.least_radius)
+      .add_result_metric("support.greatest_radius", support.greatest_radius)
+      .add_result_metric("support.y_max", support.y_max)
+      .add_result_metric("support.v_max", support.v_max);
+  if (support.y_min != 0) builder.add_result_metric("support.y_min", support.y_min);
   if (summary.frame) add_edge_metrics(*summary.frame, builder);
   add_small_density_metric("support.edge_density", support.edge_density);
   add_small_density_metric("support.cut_off", support.cut_off);
   builder
-      .add_result("support.rising_share", form.rising_fraction)
-      // The worst direction is arbitrary for an isotropic leading form.
-      .add_diagnostic("support.worst_direction.x1", form.worst.x1)
-      .add_diagnostic("support.worst_direction.x2", form.worst.x2)
-      .add_result("support.rises_from",
-                  form.negative ? base::Value() : base::Value(form.rises_from));
+      .add_result_metric("support.rising_share", form.rising_fraction)
+      // If the leading form is isotropic, the direction with the largest leading coefficient is
+      // arbitrary.
+      .add_diagnostic_metric("support.worst_direction.x1", form.worst.x1)
+      .add_diagnostic_metric("support.worst_direction.x2", form.worst.x2)
+      .add_result_metric("support.rises_from",
+                         form.negative ? base::Value() : base::Value(form.rises_from));
 }
 
-base::Value leading_form_text(const LeadingForm& form) {
+base::Value leading_form_text(const LeadingFormOfExponent& form) {
   return text_value(form.negative ? "negative" : "indefinite");
 }
 
-// Returns the sign of the leading form of the whole exponent. With a confinement term the leading
-// form is negative for every Q_n.
-base::Value leading_form_of_exponent(const Summary& summary) {
+// Returns the sign at infinity of the leading form of the exponent with its confinement term. With
+// a confinement term in the exponent the leading form is negative for every polynomial Q_n.
+base::Value leading_form_of_exponent(const ClosureSummary& summary) {
   if (!summary.leading_form) return {};
-  if (summary.half_plane && summary.half_plane->tail == TailTreatment::confined)
+  if (summary.half_plane && summary.half_plane->tail == DensityTailTreatment::confined)
     return text_value("negative");
   return leading_form_text(*summary.leading_form);
 }
 
-void add_branch_metrics(const SolutionBranch& branch, MetricBuilder& builder) {
+void add_branch_metrics(const SolutionBranch& branch, SolverMetricsBuilder& builder) {
   if (branch.end == SolutionBranchEnd::not_followed) {
-    builder.add_result("branch", {});
+    builder.add_result_metric("branch", {});
     return;
   }
-  builder.add_result("branch.end", text_value(name(branch.end)))
-      .add_result("branch.furthest", branch.furthest);
-  if (branch.points.empty()) builder.add_empty_list("branch.points", MetricKind::work);
+  builder.add_result_metric("branch.end", text_value(name(branch.end)))
+      .add_result_metric("branch.furthest", branch.furthest);
+  if (branch.points.empty()) builder.add_empty_list("branch.points", SolverMetricKind::work);
   for (std::size_t k = 0; k < branch.points.size(); ++k) {
     const SolutionBranchPoint& point = branch.points[k];
     const std::string path = fmt::format("branch.points[{}].", k);
-    builder.add_diagnostic(path + "fraction", point.fraction)
-        .add_diagnostic(path + "norm", point.norm)
-        .add_diagnostic(path + "smallest_singular_value", point.smallest_singular_value)
-        .add_diagnostic(path + "determinant_sign", value_from_count(point.determinant_sign))
-        .add_diagnostic(path + "falls", point.falls)
-        .add_diagnostic(path + "fold", point.fold);
+    builder.add_diagnostic_metric(path + "fraction", point.fraction)
+        .add_diagnostic_metric(path + "norm", point.norm)
+        .add_diagnostic_metric(path + "smallest_singular_value", point.smallest_singular_value)
+        .add_diagnostic_metric(path + "determinant_sign", value_from_count(point.determinant_sign))
+        .add_diagnostic_metric(path + "falls", point.falls)
+        .add_diagnostic_metric(path + "fold", point.fold);
   }
 }
 
-void add_half_plane_metrics(const Summary& summary, MetricBuilder& builder) {
-  const HalfPlaneSummary& half_plane = *summary.half_plane;
-  builder.add_result("tail.kind", text_value(name(half_plane.tail)))
-      .add_result("tail.level", half_plane.level)
-      .add_result("tail.level_deviations", half_plane.level_deviations)
-      .add_result("tail.beyond_level", half_plane.beyond_level)
-      .add_result("tail.polynomial_leading_form", leading_form_text(*summary.leading_form))
-      .add_diagnostic("quadrature_change", half_plane.quadrature_change)
-      .add_diagnostic("homotopies", value_from_count(half_plane.homotopies))
-      .add_diagnostic("relaxation_rate", half_plane.relaxation_rate)
-      .add_diagnostic("relaxation_frequency", half_plane.relaxation_frequency);
+void add_half_plane_metrics(const ClosureSummary& summary, SolverMetricsBuilder& builder) {
+  const HalfPlaneClosureSummary& half_plane = *summary.half_plane;
+  builder.add_result_metric("tail.kind", text_value(name(half_plane.tail)))
+      .add_result_metric("tail.level", half_plane.level)
+      .add_result_metric("tail.level_deviations", half_plane.level_deviations)
+      .add_result_metric("tail.beyond_level", half_plane.beyond_level)
+      .add_result_metric("tail.polynomial_leading_form", leading_form_text(*summary.leading_form))
+      .add_diagnostic_metric("quadrature_change", half_plane.quadrature_change)
+      .add_diagnostic_metric("homotopies", value_from_count(half_plane.homotopies))
+      .add_diagnostic_metric("relaxation_rate", half_plane.relaxation_rate)
+      .add_diagnostic_metric("relaxation_frequency", half_plane.relaxation_frequency);
 }
 
 }  // namespace
 
-transform::Metrics metrics(const Summary& summary, const transform::Moments& moments) {
-  MetricBuilder builder;
-  builder.add_result("order", value_from_count(summary.order))
-      .add_result("formulation", text_value(name(summary.formulation)))
-      .add_diagnostic("iterations", value_from_count(summary.iterations))
-      .add_diagnostic("residual", summary.residual)
-      .add_diagnostic("condition", value_from_optional(summary.condition));
+transform::Metrics metrics(const ClosureSummary& summary, const transform::Moments& moments) {
+  SolverMetricsBuilder builder;
+  builder.add_result_metric("order", value_from_count(summary.order))
+      .add_result_metric("formulation", text_value(name(summary.formulation)))
+      .add_diagnostic_metric("iterations", value_from_count(summary.iterations))
+      .add_diagnostic_metric("residual", summary.residual)
+      .add_diagnostic_metric("condition", value_from_optional(summary.condition));
   add_frame_metrics(summary, builder);
   add_coefficient_metrics(summary, moments, builder);
   add_support_metrics(summary, builder);
-  builder.add_result("leading_form", leading_form_of_exponent(summary))
-      .add_result("distance_to_previous", value_from_optional(summary.distance_to_previous));
+  builder.add_result_metric("leading_form", leading_form_of_exponent(summary))
+      .add_result_metric("distance_to_previous", value_from_optional(summary.distance_to_previous));
   add_balance_metrics(builder, summary.balances);
   if (summary.formulation == Formulation::gaussian) {
-    builder.add_diagnostic("plain_newton_converges", summary.plain_newton_converges);
-    builder.add_result("disc_sensitivity", value_from_optional(summary.disc_sensitivity));
+    builder.add_diagnostic_metric("plain_newton_converges", summary.plain_newton_converges);
+    builder.add_result_metric("disc_sensitivity", value_from_optional(summary.disc_sensitivity));
     add_branch_metrics(summary.branch, builder);
   }
   if (summary.half_plane) add_half_plane_metrics(summary, builder);

@@ -11,11 +11,13 @@
 
 namespace fpkcheck::epc {
 
-/// Size of the support, the set on which the density C exp(Q_n) is not 0.
-struct SupportSummary {
-  /// Smallest radius of the edge, in standard deviations of the weights (25)-(26)
+/// Size of the support of the closure density, the set on which C exp(Q_n) is not 0.
+struct DensitySupportSummary {
+  /// Smallest radius of the edge of the support, in standard deviations of the weights (25)-(26) of
+  /// the paper
   double least_radius;
-  /// Largest radius of the edge, in standard deviations of the weights (25)-(26)
+  /// Largest radius of the edge of the support, in standard deviations of the weights (25)-(26) of
+  /// the paper
   double greatest_radius;
   double y_max, v_max;
   double edge_density;  ///< largest density on the edge, relative to the peak density
@@ -60,8 +62,8 @@ struct SolutionBranch {
 };
 
 /// Summary of the formulations on the half-plane, `moment` and `polar`.
-struct HalfPlaneSummary {
-  TailTreatment tail;
+struct HalfPlaneClosureSummary {
+  DensityTailTreatment tail;
   double level;             ///< confinement level, or energy beyond which the density is cut to 0
   double level_deviations;  ///< confinement level in deviations of v: sqrt(2 level / E[v^2])
   /// Estimated probability beyond the confinement level, by half_plane::probability_beyond_contour
@@ -74,69 +76,73 @@ struct HalfPlaneSummary {
   double relaxation_rate, relaxation_frequency;
 };
 
-/// Quantities that the solver of the closure reports besides the solution. If no root was found,
-/// support and leading form are absent, and there are no coefficients.
-struct Summary {
+/// Quantities that the closure solver reports in addition to the solution. If no root was found,
+/// support, leading form and coefficients are absent.
+struct ClosureSummary {
   int order = 0;
   Formulation formulation = Formulation::gaussian;
   int iterations = 0;
-  // largest projection (23), or largest rate of a moment, relative to the damping c
+  // largest projection (23) of the paper, or largest rate of change of a moment, relative to the
+  // damping c
   double residual = 0;
   /// Condition number of the Jacobian at the root, in the scaled unknowns of gaussian::Basis
   /// (`gaussian`) or by half_plane::condition_number (`moment`, `polar`).
   std::optional<double> condition = {};
   /// Coefficients of the polynomial Q_n in unscaled monomials, without the constant term.
-  std::vector<Term> coefficients = {};
+  std::vector<ExponentMonomial> coefficients = {};
   std::optional<ClosedFormParameters> frame = {};
-  std::optional<SupportSummary> support = {};
-  std::optional<LeadingForm> leading_form = {};  ///< behaviour of the exponent Q_n at infinity
-  /// Distance between the densities of order n and n-2: sum of the L1 distances of p(y) and p(y').
-  /// If the sequence of orders converges fast, the distance between orders n and n-2 approximates
-  /// the error of order n-2. The distance is empty if no root of order n-2 was found.
+  std::optional<DensitySupportSummary> support = {};
+  std::optional<LeadingFormOfExponent> leading_form =
+      {};  ///< behaviour of the exponent Q_n at infinity
+  /// Distance between the densities of closure order n and n-2: sum of the L1 distances of p(y) and
+  /// p(y'). If the sequence of orders converges fast, the distance between orders n and n-2
+  /// approximates the error of closure order n-2. Without a root of closure order n-2 the distance
+  /// is empty.
   std::optional<double> distance_to_previous = {};
   transform::Moments moments = {};
-  /// Residuals of the virial balance and of the momentum balance.
+  /// Residuals of the virial balance and of the momentum balance of the closure density.
   transform::BalanceResiduals balances = {};
   /// Relative change of the scaled coefficients if the disc of gaussian::JumpIntegralRemainder is
   /// reduced in radius by one standard deviation (for `kf`).
   std::optional<double> disc_sensitivity = {};
   /// Branch of solutions, which the formulation `gaussian` follows if Newton's method finds no root
   SolutionBranch branch = {};
-  /// Whether plain Newton steps from equivalent linearisation, the method of the paper, converge.
+  /// Whether plain Newton steps from equivalent linearisation, the paper's method, converge.
   bool plain_newton_converges = false;
-  std::optional<HalfPlaneSummary> half_plane = {};
+  std::optional<HalfPlaneClosureSummary> half_plane = {};
 };
 
-struct Result {
+struct ClosureResult {
   transform::Solution solution;
-  Summary summary;
+  ClosureSummary summary;
 };
 
 /// Returns the metrics of a summary, in the order in which files list the metrics.
-/// @param moments moments in the coordinates of Q_n, which scale the effect of a coefficient on the
+/// @param moments moments in the coordinates of the polynomial Q_n, which scale the effect of a
+/// coefficient on the
 ///   density
-transform::Metrics metrics(const Summary& summary, const transform::Moments& moments);
+transform::Metrics metrics(const ClosureSummary& summary, const transform::Moments& moments);
 
 // A root of the closure equations determines a density. The following limits decide whether this
 // density is accepted. docs/closure.md has the experiments that set the limits.
 
 /// Largest accepted density on the edge of the support, relative to the peak density.
-inline constexpr double kEdgeDensityLimit = 1e-6;
+inline constexpr double kMaxSupportEdgeDensity = 1e-6;
 
 /// Largest difference between the integral of the density and 1 that counts as quadrature error.
-inline constexpr double kMassTolerance = 1e-4;
+inline constexpr double kClosureMassTolerance = 1e-4;
 
 /// Largest accepted residual of the energy balance, relative to the input power, in the formulation
-/// `gaussian`. A root of order n = 2 satisfies the energy balance exactly, a root of higher order
-/// approximately. The equation projected on x2^2 without weights is the energy balance. The largest
-/// residual of the energy balance of an accurate root was 0.08. At a residual of 0.16 (r = 0.85, n
-/// = 6) E[y^2] has an error of 20 %. Roots far from any stationary density have residuals of the
-/// energy balance of 0.4 and more.
-inline constexpr double kEnergyResidualLimit = 0.1;
+/// `gaussian`. A root of closure order n = 2 satisfies the energy balance exactly, a root of higher
+/// order approximately. The energy balance is the density equation projected on x2^2 without
+/// weights. The largest residual of the energy balance of an accurate root was 0.08. At a residual
+/// of 0.16 (r = 0.85, n = 6) E[y^2] has an error of 20 %. Roots far from any stationary density
+/// have residuals of the energy balance of 0.4 and more.
+inline constexpr double kMaxClosureEnergyResidual = 0.1;
 
-/// Largest accepted Summary::distance_to_previous of a root, if the density of order n-2 is
-/// admissible. Accurate roots have distances below 0.16 at n = 4, where the density of order n-2 is
-/// a Gaussian, and below 0.04 from n = 6 on.
-inline constexpr double kOrderDistanceLimit = 0.3;
+/// Largest accepted ClosureSummary::distance_to_previous of a root, if the density of closure order
+/// n-2 is admissible. Accurate roots have distances below 0.16 at n = 4, where the density of
+/// closure order n-2 is a Gaussian, and below 0.04 from n = 6 on.
+inline constexpr double kMaxL1DistanceToPreviousOrder = 0.3;
 
 }  // namespace fpkcheck::epc

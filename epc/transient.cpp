@@ -28,9 +28,10 @@ constexpr double kShortestSeconds = 0.1;
 
 std::string narrow_start_reason(const problem::Problem& problem,
                                 const problem::MotionScales& scales,
-                                const problem::InitialGaussian& start, const Options& options) {
+                                const problem::InitialGaussian& start,
+                                const ClosureOptions& options) {
   const bool has_impulses =
-      effective_equation(options) != DensityEquation::white && problem.impulses.is_present();
+      effective_equation(options) != DensityEquation::white && problem.impulses.is_acting();
   const double impulse =
       has_impulses
           ? std::sqrt(problem.impulses.rate_times_moment(2) / problem.impulses.arrival_rate())
@@ -48,11 +49,11 @@ std::string narrow_start_reason(const problem::Problem& problem,
 // Returns the reason why the formulation gaussian does not support a density over time.
 std::string gaussian_transient_unsupported_reason(const problem::Problem& problem,
                                                   const problem::InitialGaussian& start,
-                                                  const Options& options) {
+                                                  const ClosureOptions& options) {
   if (effective_equation(options) == DensityEquation::kf) {
     return "the closure gaussian over time supports the equations km4 and white";
   }
-  if (problem.time.is_present()) {
+  if (problem.time.is_acting()) {
     return "the closure gaussian supports no excitation that changes in time; use moment or polar";
   }
   if (problem.system.left_wall() && (start.mean_displacement != 0 || start.mean_velocity != 0)) {
@@ -64,7 +65,7 @@ std::string gaussian_transient_unsupported_reason(const problem::Problem& proble
 
 std::string transient_unsupported_reason(const problem::Problem& problem,
                                          const problem::InitialGaussian& start,
-                                         const Options& options) {
+                                         const ClosureOptions& options) {
   if (options.formulation == Formulation::gaussian) {
     std::string reason = gaussian_transient_unsupported_reason(problem, start, options);
     if (!reason.empty()) return reason;
@@ -76,7 +77,7 @@ std::string transient_unsupported_reason(const problem::Problem& problem,
   return "";
 }
 
-ClosureEvolution solve_evolution(const problem::Problem& problem, const Options& options,
+ClosureEvolution solve_evolution(const problem::Problem& problem, const ClosureOptions& options,
                                  const EvolutionRequest& request) {
   switch (options.formulation) {
     case Formulation::gaussian:
@@ -107,11 +108,12 @@ std::vector<transform::TransientSnapshot> make_transient_snapshots(
 
 }  // namespace
 
-transform::Transient solve_transient(const problem::Problem& problem, const Options& options,
-                                     const TransientRequest& request) {
+transform::TransientDensities solve_transient(const problem::Problem& problem,
+                                              const ClosureOptions& options,
+                                              const TransientRequest& request) {
   validate(options);
   const base::Stopwatch stopwatch;
-  transform::Transient transient{.id = id(options)};
+  transform::TransientDensities transient{.id = solution_id(options)};
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system),
                                    problem::with_largest_excitation(problem, request.time_span()));
@@ -132,7 +134,7 @@ transform::Transient solve_transient(const problem::Problem& problem, const Opti
   const ClosureEvolution evolution = solve_evolution(transformed, options, evolution_request);
   transient.snapshots = make_transient_snapshots(transformed, evolution, request);
   if (options.order > 2) {
-    Options lower = options;
+    ClosureOptions lower = options;
     lower.order -= 2;
     lower.max_seconds = std::max(kShortestSeconds, options.max_seconds - stopwatch.seconds());
     const ClosureEvolution previous = solve_evolution(transformed, lower, evolution_request);

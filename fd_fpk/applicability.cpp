@@ -11,16 +11,16 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // Returns whether the equation has a diffusion term, from white noise or from the impulses.
-bool has_diffusion(const problem::ProblemFeatures& features, const Options& options) {
+bool has_diffusion(const problem::ProblemFeatures& features, const FiniteVolumeOptions& options) {
   return features.noise || options.equation == DensityEquation::white ||
          options.equation == DensityEquation::km4;
 }
 
 // Returns why finite volumes do not resolve a jump of the force in v; empty for forces that are
-// supported. Without diffusion the mass can stick at the jump, and the stationary law has atoms at
-// the jump. With diffusion the density has a kink at the jump; stencils for a kink exist only on
-// the line v = 0. For 0.1*v + 0.3*sign(v - 0.5) + y under white noise of intensity 0.2 the residual
-// of the power balance is 2 % after 13 s (`fpkcheck fd`).
+// supported. Without diffusion the oscillator can stick where the force jumps, and the stationary
+// law has atoms there. With diffusion the density has a kink where the force jumps. Finite-volume
+// stencils for a kink exist only on the line v = 0. For 0.1*v + 0.3*sign(v - 0.5) + y under white
+// noise of intensity 0.2 the residual of the power balance is 2 % after 13 s (`fpkcheck fd`).
 std::string unresolved_jump_reason(const problem::Problem& problem, bool has_diffusion) {
   if (!problem.system.has_force_jumps_in_v()) return "";
   if (!has_diffusion) {
@@ -35,7 +35,8 @@ std::string unresolved_jump_reason(const problem::Problem& problem, bool has_dif
 
 }  // namespace
 
-std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
+std::string unsupported_reason(const problem::Problem& problem,
+                               const FiniteVolumeOptions& options) {
   if (problem.impulse_factor && options.equation != DensityEquation::kf &&
       options.equation != DensityEquation::white) {
     return "km4 and km4-pade do not support impulse.factor; use kf or white";
@@ -54,7 +55,8 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
       (features.no_wall || features.two_walls || features.rests_in_contact)) {
     return "impact delta (first order in 1-r): requires one wall without rest in contact; use map";
   }
-  // White noise ends every contact at once, so the stationary law has no atom.
+  // Under white noise every contact with a wall ends at once, so that the stationary law has no
+  // atom.
   const bool rests = features.rests_in_contact && !noise;
   if (rests && !can_use_characteristics(options)) {
     return "the mass comes to rest in contact with a wall: only characteristics treat this atom; "
@@ -76,22 +78,23 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
   return "";
 }
 
-std::string transient_unsupported_reason(const problem::Problem& problem, const Options& options) {
+std::string transient_unsupported_reason(const problem::Problem& problem,
+                                         const FiniteVolumeOptions& options) {
   const auto features = problem::problem_features(problem);
   if (features.rests_in_contact && !has_diffusion(features, options)) {
     return "the mass comes to rest in contact with a wall: finite volumes over time do not "
            "represent this atom; compute the stationary density, or use mcs";
   }
-  // The stencils at a jump in v depend on the excitation, so that the operator is not linear in the
-  // factors of time.
-  if (problem.time.is_present() && problem.system.has_force_jumps_in_v()) {
+  // The finite-volume stencils at a jump of the force in v depend on the excitation. The operator
+  // is therefore not linear in the time-dependent factors.
+  if (problem.time.is_acting() && problem.system.has_force_jumps_in_v()) {
     return "the force jumps in v (sign) and the excitation changes in time; smooth the jump: "
            "tanh(v/eps)";
   }
   return unsupported_reason(problem, options);
 }
 
-bool can_use_characteristics(const Options& options) {
+bool can_use_characteristics(const FiniteVolumeOptions& options) {
   return options.equation == DensityEquation::kf && options.impact == ImpactCondition::map &&
          options.transport != TransportScheme::upwind && !options.nx && !options.nv &&
          !options.origin_refinement && transport_order(options) == kDefaultOrder;
@@ -99,8 +102,8 @@ bool can_use_characteristics(const Options& options) {
 
 namespace {
 
-// Returns whether the damping supplies energy somewhere. The damping of a formula is inspected at
-// points of the box of the motion.
+// Returns whether the damping force supplies energy to the motion at some point of the phase plane.
+// The sign of a damping force given by a formula is tested at points of the phase plane.
 bool has_negative_damping(const problem::Problem& problem) {
   const problem::System& system = problem.system;
   if (system.has_polynomial_force()) return problem::problem_features(problem).negative_damping;
@@ -119,10 +122,11 @@ bool has_negative_damping(const problem::Problem& problem) {
   return false;
 }
 
-// Returns why characteristics do not represent motion without a wall. The motion circles a rest
-// point or a limit cycle until an impulse arrives; only strong contraction limits the number of
-// characteristics that circle at different amplitudes.
-std::string unsupported_circling_reason(const problem::Problem& problem, const Flow& flow) {
+// Returns the reason why transport along characteristics is unsuitable for motion without a wall.
+// The motion circles a rest point or a limit cycle until an impulse arrives; only strong
+// contraction limits the number of characteristics that circle at different amplitudes.
+std::string unsupported_circling_reason(const problem::Problem& problem,
+                                        const DeterministicFlow& flow) {
   if (!find_rest_points(flow).empty()) {
     return "characteristics start at walls: the problem has no wall; use transport upwind";
   }
@@ -146,7 +150,7 @@ std::string characteristics_unsupported_reason(const problem::Problem& problem) 
   if (features.noise || !features.impulses) {
     return "characteristics: impulses alone must excite the oscillator; use transport upwind";
   }
-  const Flow flow(problem.system);
+  const DeterministicFlow flow(problem.system);
   if (features.no_wall) return unsupported_circling_reason(problem, flow);
   if (has_negative_damping(problem)) {
     return "characteristics must end at rest points: the damping of the problem increases "
@@ -163,7 +167,7 @@ std::string characteristics_unsupported_reason(const problem::Problem& problem) 
   return "";
 }
 
-bool has_rest_in_contact(const problem::Problem& problem, const Options& options) {
+bool has_rest_in_contact(const problem::Problem& problem, const FiniteVolumeOptions& options) {
   return problem::problem_features(problem).rests_in_contact &&
          options.equation == DensityEquation::kf;
 }

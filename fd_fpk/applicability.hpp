@@ -8,15 +8,16 @@
 namespace fpkcheck::fd_fpk {
 
 /// Returns the reason why finite volumes cannot solve the problem; empty for a supported problem.
-std::string unsupported_reason(const problem::Problem& problem, const Options& options);
+std::string unsupported_reason(const problem::Problem& problem, const FiniteVolumeOptions& options);
 
 /// Returns the reason why the density over time is unsupported; empty for a supported problem.
-std::string transient_unsupported_reason(const problem::Problem& problem, const Options& options);
+std::string transient_unsupported_reason(const problem::Problem& problem,
+                                         const FiniteVolumeOptions& options);
 
-/// Returns whether the options allow transport along characteristics. The equation must be `kf`
-/// with the impact `map`. Options that apply only to upwind differences (cells, grading, order)
-/// must be unset.
-bool can_use_characteristics(const Options& options);
+/// Returns whether the options allow transport along characteristics. Transport along
+/// characteristics requires the equation `kf` with the impact condition `map`. Options that apply
+/// only to upwind differences (cells, grading, order) must be unset.
+bool can_use_characteristics(const FiniteVolumeOptions& options);
 
 /// Returns the reason why characteristics (fd_fpk/characteristics/) cannot compute the density of
 /// `kf`; empty if characteristics are applicable. With a wall every motion must lose energy, since
@@ -24,6 +25,6 @@ bool can_use_characteristics(const Options& options);
 std::string characteristics_unsupported_reason(const problem::Problem& problem);
 
 /// Returns whether mass comes to rest in contact, as an atom of the stationary law at a wall.
-bool has_rest_in_contact(const problem::Problem& problem, const Options& options);
+bool has_rest_in_contact(const problem::Problem& problem, const FiniteVolumeOptions& options);
 
 }  // namespace fpkcheck::fd_fpk

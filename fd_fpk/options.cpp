@@ -35,8 +35,8 @@ void require(bool holds, const std::string& message) {
   if (!holds) throw InputError(message);
 }
 
-Description<Options> make_description() {
-  using O = Options;
+Description<FiniteVolumeOptions> make_description() {
+  using O = FiniteVolumeOptions;
   return Description<O>("fd ")
       .add("equation", &O::equation, {"E", "white, km4, km4-pade or kf"})
       .add("impact", &O::impact,
@@ -96,14 +96,14 @@ Description<Options> make_description() {
       .add("accuracy", &O::accuracy,
            {"A", "largest estimated error of p(y) or p(y') in L1 for status ok"},
            positive_numbers())
-      .with_default(Options{}.accuracy)
+      .with_default(FiniteVolumeOptions{}.accuracy)
       .add(
           "max_seconds", &O::max_seconds,
           {"S",
            "time limit in seconds: after the limit no finer grid is started or continued; the most "
            "accurate solution so far is returned (in a run 20)"},
           positive_numbers())
-      .with_default(Options{}.max_seconds)
+      .with_default(FiniteVolumeOptions{}.max_seconds)
       .add("tolerance", &O::tolerance,
            {"T",
             "choose the first grid with an error estimate below T (L1 errors of p(y) and p(y'), "
@@ -116,14 +116,14 @@ Description<Options> make_description() {
 
 }  // namespace
 
-const Description<Options>& description() {
+const Description<FiniteVolumeOptions>& description() {
   // A separate function constructs the description, because Clang 14 would destroy temporaries of
   // the initialiser at every call of description().
   static const auto description = make_description();
   return description;
 }
 
-void validate(const Options& options) {
+void validate(const FiniteVolumeOptions& options) {
   description().validate(options);
   require(options.impact != ImpactCondition::exact,
           "impact exact: only the simulation has this impact; use map or delta");
@@ -145,14 +145,14 @@ void validate(const Options& options) {
           "tolerance with nx or nv: the tolerance selects the grid; leave out nx and nv");
 }
 
-std::string solution_id(const Options& options) {
+std::string solution_id(const FiniteVolumeOptions& options) {
   const std::string equation = fmt::format("fd-{}", problem::name(options.equation));
   return options.impact == ImpactCondition::map
              ? equation
              : fmt::format("{}-{}", equation, problem::name(options.impact));
 }
 
-transform::SolutionIdentity solution_identity(const Options& options) {
+transform::SolutionIdentity solution_identity(const FiniteVolumeOptions& options) {
   return {.id = solution_id(options),
           .method = "fd",
           .equation = options.equation,
@@ -160,10 +160,10 @@ transform::SolutionIdentity solution_identity(const Options& options) {
           .role = transform::SolutionRole::equation};
 }
 
-std::optional<Options> options_of(std::string_view wanted) {
+std::optional<FiniteVolumeOptions> options_of(std::string_view wanted) {
   for (const auto& equation : enumerator_names(DensityEquation{})) {
     for (const ImpactCondition impact : kImpacts) {
-      const Options options{.equation = equation.value, .impact = impact};
+      const FiniteVolumeOptions options{.equation = equation.value, .impact = impact};
       if (solution_id(options) == wanted) return options;
     }
   }
@@ -242,7 +242,7 @@ const Description<TransientOptions>& transient_option_descriptions() {
   return description;
 }
 
-void validate(const Options& options, const TransientOptions& transient) {
+void validate(const FiniteVolumeOptions& options, const TransientOptions& transient) {
   validate(options);
   require_stable_order(transport_order(options));
   if (options.tolerance || options.transport == TransportScheme::characteristics) {

@@ -37,13 +37,14 @@ inline constexpr base::EnumEntry<TransportScheme> kTransportNames[] = {
 constexpr const auto& enumerator_names(TransportScheme) { return kTransportNames; }
 constexpr std::string_view name(TransportScheme transport) { return base::name_of(transport); }
 
-struct Options {
+struct FiniteVolumeOptions {
   DensityEquation equation = DensityEquation::kf;
   /// Impact condition of the equation, `map` or `delta`
   ImpactCondition impact = ImpactCondition::map;
   StationarySolver stepper = StationarySolver::cvode;
-  /// Scheme for the transport. If absent, solve() chooses: transport along characteristics for rare
-  /// impulses or strong losses by damping and impacts, else upwind-biased finite volumes.
+  /// Scheme for the transport of the density between impulses. If absent, the solver chooses
+  /// transport along characteristics for rare impulses or strong losses, and otherwise
+  /// upwind-biased finite volumes.
   std::optional<TransportScheme> transport{};
   /// Order of the transport terms, 2 .. 8. Schemes of odd order are upwind-biased and cause no
   /// oscillations in the tails. Schemes of even order are centred and cause grid-scale ripples of
@@ -52,30 +53,32 @@ struct Options {
   std::optional<int> order{};
   /// Factor by which the number of cells in each direction exceeds the automatic number
   double refinement = 1;
-  /// Ratio of the cell width far from the origin to the width at the origin; 1 for a uniform grid.
-  /// With losses at the impact the density at the wall is discontinuous at the origin, by a factor
-  /// of 1/r^2. Because of the discontinuity a uniform grid converges only with the square of the
-  /// cell width, for every order. The automatic ratio is 16 (32 under white noise) if the relative
-  /// discontinuity 1/r^2 - 1 exceeds a tenth, otherwise 1. Under white noise with losses, the cells
-  /// of x1 at the wall are graded as the cube of the cells of x2, y ~ v^3 / D2.
+  /// Ratio of the cell width far from the origin to the cell width at the origin; 1 for a uniform
+  /// grid. With losses at the impact the density at the wall is discontinuous at the origin, by a
+  /// factor of 1/r^2. Because of the discontinuity a uniform grid converges only with the square of
+  /// the cell width, for every order. The automatic ratio is 16 (32 under white noise) if the
+  /// relative discontinuity 1/r^2 - 1 exceeds a tenth, otherwise 1. Under white noise with losses,
+  /// the cells of x1 at the wall are graded as the cube of the cells of x2, y ~ v^3 / D2.
   std::optional<double> origin_refinement{};
-  /// Number of cells in x1; automatic: from the length scales of the density
+  /// Number of grid cells in the displacement x1; automatic: from the length scales of the density
   std::optional<int> nx{};
-  /// Number of cells in x2, even; automatic: from the length scales of the density
+  /// Even number of grid cells in the velocity x2; automatic: from the length scales of the density
   std::optional<int> nv{};
-  /// Upper end of the box in x1; automatic: an x1 at which the density is negligible.
+  /// Largest displacement x1 of the computational box; automatic: a displacement at which the
+  /// density is negligible.
   std::optional<double> x1_max{};
   std::optional<double> x2_max{};  ///< upper end of |x2|; automatic: an end with negligible density
-  /// Regularisation length of km4, the step l of the fourth difference. The value 0 selects the
-  /// literal scheme, in which l is the cell width. The automatic length is
+  /// Regularisation length of km4, the step l of the fourth difference. The regularisation length 0
+  /// selects the literal scheme, in which the length l is the cell width. The automatic length is
   /// default_regularisation_length for the cells of the grid.
   std::optional<double> regularisation_length{};
-  /// Density on an edge of the box, relative to the peak, above which an automatic box is widened
+  /// Density on an edge of the computational box, relative to the peak, above which an automatic
+  /// computational box is widened
   double wall_density = 1e-6;
   /// Whether the solver refines an automatic grid that does not resolve the density
   bool refine_unresolved = true;
-  /// Whether the solver estimates the discretisation error, from two coarser grids. If the options
-  /// fix neither transport nor grid, the error estimate selects transport and grid.
+  /// Whether the solver estimates the discretisation error, from solutions on two coarser grids. If
+  /// the options fix neither the transport scheme nor the grid, the error estimate selects both.
   bool error_estimate = true;
   /// Largest estimated L1 error of a marginal density with the status `ok`
   double accuracy = 1e-2;
@@ -83,30 +86,32 @@ struct Options {
   /// the solution before the time limit. A solution that exceeds the time limit is aborted, and the
   /// solver returns the most accurate solution so far.
   double max_seconds = 20;
-  /// Tolerance that selects the grid: the solver uses the first grid whose error estimate is below
-  /// the tolerance. The error estimate comprises the L1 errors of both marginal densities and the
-  /// relative errors of the second moments.
+  /// Tolerance on the estimated discretisation error: the solver uses the first grid of a sequence
+  /// whose error estimate is below this tolerance. The error estimate comprises the L1 errors of
+  /// both marginal densities and the relative errors of the second moments.
   std::optional<double> tolerance{};
   /// Largest ||L P||_1 / ||P||_1 of a stationary density, in units of the frequency sqrt(k_eq)
   double residual_tolerance = 1e-10;
 };
 
 inline constexpr int kDefaultOrder = 5;
-inline int transport_order(const Options& options) { return options.order.value_or(kDefaultOrder); }
+inline int transport_order(const FiniteVolumeOptions& options) {
+  return options.order.value_or(kDefaultOrder);
+}
 
 /// Returns names, help texts and ranges of the options, for files and for the command line.
-const base::Description<Options>& description();
+const base::Description<FiniteVolumeOptions>& description();
 
 /// @throws InputError for the first invalid option or invalid combination of options
-void validate(const Options& options);
+void validate(const FiniteVolumeOptions& options);
 
 /// Returns the id of the solution that the options define, such as "fd-kf" or "fd-km4-delta".
-std::string solution_id(const Options& options);
+std::string solution_id(const FiniteVolumeOptions& options);
 
-transform::SolutionIdentity solution_identity(const Options& options);
+transform::SolutionIdentity solution_identity(const FiniteVolumeOptions& options);
 
 /// Returns the options whose solution has the given id; empty for an unknown id.
-std::optional<Options> options_of(std::string_view id);
+std::optional<FiniteVolumeOptions> options_of(std::string_view id);
 
 struct CellDensity;
 
@@ -125,10 +130,11 @@ struct TransientOptions {
   std::optional<double> start_mean_velocity{};
   /// Tolerance of the local error of a time step, relative to the largest density
   double relative_tolerance = 1e-6;
-  /// Highest order of BDF, 1 .. 5. BDF of an order above 2 is unstable on part of the imaginary
-  /// axis, close to the eigenvalues of the rotating oscillator.
+  /// Highest order, 1 .. 5, of the backward differentiation formulas (BDF). An order above 2 is
+  /// unstable on part of the imaginary axis, close to the eigenvalues of the oscillator.
   int max_order = 2;
-  /// Most cells of an automatic grid. Time steps on more than 10 000 cells take minutes.
+  /// Largest number of cells of an automatic grid for the density over time. Time steps on more
+  /// than 10 000 cells take minutes.
   double max_cells = 10000;
   /// Whether the snapshots are densities of the periodic state, with the period T of the
   /// excitation. The search for the periodic state starts from the initial Gaussian.
@@ -147,6 +153,6 @@ struct TransientOptions {
 const base::Description<TransientOptions>& transient_option_descriptions();
 
 /// @throws InputError for the first option that is invalid for a density over time
-void validate(const Options& options, const TransientOptions& transient);
+void validate(const FiniteVolumeOptions& options, const TransientOptions& transient);
 
 }  // namespace fpkcheck::fd_fpk

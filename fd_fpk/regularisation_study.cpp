@@ -41,11 +41,11 @@ double linearised_frequency(const problem::Problem& problem) {
   return std::sqrt(problem::equivalent_linearisation(problem).stiffness);
 }
 
-// Returns the options for a grid with the given velocity step, in the box of the solver. The
-// velocity range is a whole number of steps.
-Options options_for_step(const problem::Problem& problem, double step, int nx) {
-  Options options;
-  const Box box = initial_box(problem, options);
+// Returns the options for a grid with the given velocity step, in the computational box of the
+// solver. The velocity range of the grid is a whole number of velocity steps.
+FiniteVolumeOptions options_for_step(const problem::Problem& problem, double step, int nx) {
+  FiniteVolumeOptions options;
+  const PhasePlaneBox box = initial_box(problem, options);
   const int half = std::max(8, static_cast<int>(std::ceil(box.x2_max / step - 1e-9)));
   options.origin_refinement = 1;  // a uniform grid: all velocity cells have the width `step`
   options.nx = nx;
@@ -55,24 +55,29 @@ Options options_for_step(const problem::Problem& problem, double step, int nx) {
   return options;
 }
 
-Box box_of_options(const Options& options) { return {*options.x1_max, *options.x2_max}; }
+PhasePlaneBox box_of_options(const FiniteVolumeOptions& options) {
+  return {*options.x1_max, *options.x2_max};
+}
 
 void append_remark(std::string& remark, const std::string& more) {
   remark += (remark.empty() ? "" : "; ") + more;
 }
 
-NullVector null_vector_from_gaussian(const problem::Problem& problem, const Options& options,
-                                     const Discretisation& discretisation,
-                                     const FokkerPlanckOperator& op) {
+NullVectorResult null_vector_from_gaussian(const problem::Problem& problem,
+                                           const FiniteVolumeOptions& options,
+                                           const PlaneDiscretisation& discretisation,
+                                           const FokkerPlanckOperator& op) {
   Preconditioner preconditioner(problem, discretisation.excitation, options.impact,
                                 discretisation.grid);
   return find_null_vector(op, preconditioner,
                           initial_gaussian(discretisation.grid, problem::motion_scales(problem)));
 }
 
-NullVector kf_reference_density(const problem::Problem& problem, Options options) {
+NullVectorResult kf_reference_density(const problem::Problem& problem,
+                                      FiniteVolumeOptions options) {
   options.equation = DensityEquation::kf;
-  const Discretisation discretisation = discretise(problem, options, box_of_options(options));
+  const PlaneDiscretisation discretisation =
+      discretise_density_equation(problem, options, box_of_options(options));
   if (!discretisation.failure.empty()) return {std::nullopt, 0, discretisation.failure};
   const auto op = fokker_planck_operator(problem, options, discretisation);
   return null_vector_from_gaussian(problem, options, discretisation, op);
@@ -92,12 +97,13 @@ void add_eigenvalues(const problem::Problem& problem, const FokkerPlanckOperator
   if (values.size() > 1) row.next = values[1];
 }
 
-void compare_null_vector_with_kf(const problem::Problem& problem, const Options& options,
-                                 const Discretisation& discretisation,
+void compare_null_vector_with_kf(const problem::Problem& problem,
+                                 const FiniteVolumeOptions& options,
+                                 const PlaneDiscretisation& discretisation,
                                  const FokkerPlanckOperator& op, bool symbol_grows,
-                                 const NullVector& kf, RegularisationSchemeResult& row) {
-  // The preconditioner of GMRES approximates only stable operators.
-  const NullVector found =
+                                 const NullVectorResult& kf, RegularisationSchemeResult& row) {
+  // The preconditioner of GMRES approximates only Fokker-Planck operators without growing modes.
+  const NullVectorResult found =
       symbol_grows ? find_null_vector_by_inverse_iteration(
                          op, initial_gaussian(discretisation.grid, problem::motion_scales(problem)),
                          linearised_frequency(problem))
@@ -105,26 +111,27 @@ void compare_null_vector_with_kf(const problem::Problem& problem, const Options&
   if (!found.averages) return append_remark(row.remark, "no null vector: " + found.failure);
   row.min_density = found.averages->minCoeff() / found.averages->cwiseAbs().maxCoeff();
   if (!kf.averages) return append_remark(row.remark, "no reference density of kf: " + kf.failure);
-  const Marginals mine = marginals(discretisation.grid, *found.averages);
-  const Marginals of_kf = marginals(discretisation.grid, *kf.averages);
+  const MarginalCellAverages mine = marginals(discretisation.grid, *found.averages);
+  const MarginalCellAverages of_kf = marginals(discretisation.grid, *kf.averages);
   row.l1_y = discretisation.grid.x1.cell_widths().dot((mine.y - of_kf.y).cwiseAbs());
   row.l1_ydot = discretisation.grid.x2.cell_widths().dot((mine.ydot - of_kf.ydot).cwiseAbs());
 }
 
 RegularisationSchemeResult study_scheme(const problem::Problem& problem,
                                         const RegularisationScheme& scheme, double step,
-                                        Options options, const NullVector& kf) {
+                                        FiniteVolumeOptions options, const NullVectorResult& kf) {
   RegularisationSchemeResult row{
       .scheme = scheme.name, .step = step, .length = scheme.length(step)};
   options.equation = scheme.equation;
   if (options.equation == DensityEquation::km4) options.regularisation_length = row.length;
   row.nx = *options.nx;
   row.nv = *options.nv;
-  const Discretisation discretisation = discretise(problem, options, box_of_options(options));
+  const PlaneDiscretisation discretisation =
+      discretise_density_equation(problem, options, box_of_options(options));
   row.remark = discretisation.failure;
   if (!discretisation.failure.empty()) return row;
   row.symbol = fastest_growing_wave(problem, options, step);
-  const bool symbol_grows = is_unstable(*row.symbol, problem.impulses);
+  const bool symbol_grows = is_growing_wave(*row.symbol, problem.impulses);
   const auto op = fokker_planck_operator(problem, options, discretisation);
   add_eigenvalues(problem, op, symbol_grows, row);
   compare_null_vector_with_kf(problem, options, discretisation, op, symbol_grows, kf, row);
@@ -140,8 +147,8 @@ std::optional<double> RegularisationSchemeResult::growth_rate(
                ? std::optional(rightmost->real())
                : std::nullopt;
   }
-  return symbol && is_unstable(*symbol, problem.impulses) ? std::optional(symbol->rate)
-                                                          : std::nullopt;
+  return symbol && is_growing_wave(*symbol, problem.impulses) ? std::optional(symbol->rate)
+                                                              : std::nullopt;
 }
 
 RegularisationStudy study_regularisation(const problem::Problem& problem,
@@ -161,9 +168,9 @@ RegularisationStudy study_regularisation(const problem::Problem& problem,
   std::vector<RegularisationSchemeResult> by_step;
   for (const int division : options.divisions) {
     const double step = study.default_length / division;
-    const Options on_step = options_for_step(problem, step, options.nx);
+    const FiniteVolumeOptions on_step = options_for_step(problem, step, options.nx);
     if (progress) progress(static_cast<int>(by_step.size()), rows);
-    const NullVector kf = kf_reference_density(problem, on_step);
+    const NullVectorResult kf = kf_reference_density(problem, on_step);
     for (const RegularisationScheme& scheme : all) {
       if (progress) progress(static_cast<int>(by_step.size()), rows);
       by_step.push_back(study_scheme(problem, scheme, step, on_step, kf));

@@ -23,13 +23,15 @@ struct RegularisationSchemeResult {
   /// Rightmost eigenvalue of the whole discrete operator, per unit time. Without an unstable mode
   /// the rightmost eigenvalue is 0 and belongs to the stationary density.
   std::optional<std::complex<double>> rightmost = {};
-  /// Second eigenvalue from the right, the slowest decay rate; empty if a mode is unstable.
+  /// Second eigenvalue of the discrete operator from the right, which gives the slowest decay rate;
+  /// empty if a mode is unstable.
   std::optional<std::complex<double>> next = {};
   /// The values l1_y, l1_ydot and min_density describe the null vector, which need not be a
   /// density.
   std::optional<double> l1_y = {};     ///< L1 distance of p(y) to the density of kf
   std::optional<double> l1_ydot = {};  ///< L1 distance of p(y') to the density of kf
-  /// Smallest cell average of the null vector, relative to the largest absolute value
+  /// Smallest cell average of the null vector of the operator, relative to the largest absolute
+  /// cell average
   std::optional<double> min_density = {};
   std::string remark = {};  ///< reason why a result of this scheme is missing
 

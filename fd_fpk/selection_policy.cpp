@@ -10,8 +10,9 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // Returns the mean acceleration towards the wall by impulses of nonzero mean, relative to the
-// acceleration of the spring at one standard deviation. For a ratio above 1 the oscillator makes
-// short flights between impacts instead of half-cycles.
+// acceleration of the spring at one standard deviation. If the mean acceleration by impulses
+// exceeds the acceleration of the spring, the oscillator makes short flights between impacts
+// instead of half-cycles.
 double mean_force_ratio(const problem::Problem& problem) {
   const auto linear = problem::equivalent_linearisation(problem);
   return -problem.impulses.rate_times_moment(1) /
@@ -36,21 +37,21 @@ bool has_dissipative_wall(const problem::System& system) {
          has_dissipative_impacts(system.right_wall());
 }
 
-// Returns whether the cells of x1 may be graded as the cube of the cells of x2. Schemes of even
-// orders and of order 7 oscillate on cells graded as the cube.
-bool can_grade_cubically(const Options& options) {
+// Returns whether the cells of x1 may be graded as the cube of the cells of x2. Finite-volume
+// schemes of even orders and of order 7 oscillate on cells graded as the cube.
+bool can_grade_cubically(const FiniteVolumeOptions& options) {
   return transport_order(options) == 3 || transport_order(options) == 5;
 }
 
 // Returns whether impulses are so small that the density at a wall has the singularity of white
-// noise down to the resolved lengths. The threshold is an eighth of the standard deviation of
-// velocity. The threshold was measured by the estimated error and the limit of the finest grids.
-// The measured problems are case 1 with r = 0.3 .. 0.7, impulse rates 30 .. 1e6, and Gaussian and
-// exponential impulses (build/release/benchmarks/fpkcheck_rates --restitutions 0.3,0.5,0.7 --rates
+// noise down to the resolved lengths. Impulses count as small if their amplitude is below an eighth
+// of the standard deviation of velocity. This threshold was set by error estimates and limits of
+// fine grids for case 1 with r = 0.3 .. 0.7, impulse rates 30 .. 1e6, and Gaussian and exponential
+// impulses (build/release/benchmarks/fpkcheck_rates --restitutions 0.3,0.5,0.7 --rates
 // 30,100,1e3,1e4,1e6).
 bool are_impulses_small(const problem::Problem& problem) {
   constexpr double kShort = 1.0 / 8;
-  if (!problem.impulses.is_present()) return false;
+  if (!problem.impulses.is_acting()) return false;
   return std::sqrt(problem.impulses.amplitude_law().moment(2)) <
          kShort * problem::motion_scales(problem).velocity_deviation;
 }
@@ -67,7 +68,7 @@ double diffusion_coefficient(const problem::Problem& problem, DensityEquation eq
 // (exact::wall_exponent), to which cells are graded. The singularity occurs under white noise and
 // under impulses that act as white noise. For problems without has_linearised_scales() the
 // singularity also occurs under the truncated series km4.
-bool has_wall_singularity(const problem::Problem& problem, const Options& options) {
+bool has_wall_singularity(const problem::Problem& problem, const FiniteVolumeOptions& options) {
   if (!has_linearised_scales(problem)) {
     return diffusion_coefficient(problem, options.equation) > 0;
   }
@@ -76,13 +77,15 @@ bool has_wall_singularity(const problem::Problem& problem, const Options& option
          (options.equation == DensityEquation::white || are_impulses_small(problem));
 }
 
-double automatic_origin_refinement(const problem::Problem& problem, const Options& options) {
+double automatic_origin_refinement(const problem::Problem& problem,
+                                   const FiniteVolumeOptions& options) {
   if (!has_dissipative_wall(problem.system)) {
     return problem.system.has_force_jumps_in_v() ? kForceJumpRefinement : 1;
   }
   const bool singular = has_wall_singularity(problem, options);
   // Schemes of high order oscillate on narrow cells at the spike of the density that rare impulses
-  // cause. A wide cell represents the spike as a mass. Under white noise the density has no spike.
+  // cause. A wide cell represents the density spike as a mass. Under white noise the stationary
+  // density has no spike.
   if (!singular && is_density_unbounded_at_origin(problem)) return 1;
   if (has_linearised_scales(problem) && has_rare_impacts_by_mean_impulse(problem)) return 1;
   return singular ? kOriginRefinementUnderWhiteNoise : kOriginRefinement;
@@ -107,7 +110,8 @@ bool are_characteristics_preferred(const problem::Problem& problem,
   constexpr double kMaxDeflection = 2;
   if (impulses_per_decay_time < kRare) return true;
   if (!has_linearised_scales(problem)) {
-    return contraction_rate_of_attractors(Flow(problem.system)) > problem.impulses.arrival_rate();
+    return contraction_rate_of_attractors(DeterministicFlow(problem.system)) >
+           problem.impulses.arrival_rate();
   }
   const auto linear = problem::equivalent_linearisation(problem);
   const bool losses =
@@ -119,37 +123,40 @@ bool are_characteristics_preferred(const problem::Problem& problem,
 bool are_characteristics_required(const problem::Problem& problem) {
   constexpr double kStronglyBouncing = 5;
   // Without a rest point the density is concentrated around a limit cycle.
-  if (!has_linearised_scales(problem)) return find_rest_points(Flow(problem.system)).empty();
+  if (!has_linearised_scales(problem))
+    return find_rest_points(DeterministicFlow(problem.system)).empty();
   return is_density_unbounded_at_origin(problem) ||
          (has_short_flights(problem) && mean_force_ratio(problem) > kStronglyBouncing);
 }
 
 int automatic_scheme_order(const problem::Problem& problem) {
-  return has_dissipative_wall(problem.system) || has_linearised_scales(problem) ? kDefaultOrder
-                                                                                : kHighOrder;
+  return has_dissipative_wall(problem.system) || has_linearised_scales(problem)
+             ? kDefaultOrder
+             : kHighFiniteVolumeOrder;
 }
 
-// A box with the default Options::wall_density truncates tails due to impulses. The truncated tails
-// contribute a fraction 2e-7 of E[v^2]. The truncated tails contribute a fraction 2e-5 of the part
-// of E[v^4] due to the fourth cumulant. For problems with has_linearised_scales(), a solution in an
-// enlarged box estimates the truncation error instead.
+// A computational box with the default FiniteVolumeOptions::wall_density truncates the tails of the
+// density under impulses. The truncated tails contribute a fraction 2e-7 of E[v^2]. The truncated
+// tails contribute a fraction 2e-5 of the part of E[v^4] due to the fourth cumulant. For problems
+// with has_linearised_scales(), a solution in an enlarged computational box estimates the
+// truncation error instead.
 double box_edge_density_factor(const problem::Problem& problem) {
   constexpr double kTails = 1e-2, kTailsOfImpulses = 2e-3;
-  return problem.impulses.is_present() ? kTailsOfImpulses : kTails;
+  return problem.impulses.is_acting() ? kTailsOfImpulses : kTails;
 }
 
-bool has_automatic_grid(const Options& options) {
-  const Options defaults;
+bool has_automatic_grid(const FiniteVolumeOptions& options) {
+  const FiniteVolumeOptions defaults;
   return options.error_estimate && options.refine_unresolved && !options.nx && !options.nv &&
          options.refinement == defaults.refinement;
 }
 
-// For kLimit, ten times the limit of the status `ok` (kStationaryLimits), the status would be the
-// same on all grids: in case 1 with r = 0.3 .. 0.9 and impulse rates 0.3 .. 30 the smallest density
-// changes by less than a factor of 2 if the cells become narrower by a factor of 4
+// For kLimit, ten times the limit of the status `ok` (kStationaryResolutionLimits), the status
+// would be the same on all grids: in case 1 with r = 0.3 .. 0.9 and impulse rates 0.3 .. 30 the
+// smallest density changes by less than a factor of 2 if the cells become narrower by a factor of 4
 // (`fpkcheck fd case1 --equation km4 --impact delta --set system.restitution=R --set
 // impulse.rate=LAMBDA --refinement F`, F = 0.35 .. 1.5).
-bool has_negative_limit(const Options& options, double min_density) {
+bool has_negative_limit(const FiniteVolumeOptions& options, double min_density) {
   constexpr double kLimit = -1e-3;
   return options.impact == ImpactCondition::delta && min_density < kLimit;
 }
@@ -164,19 +171,21 @@ bool has_dissipative_impacts(const std::optional<problem::Wall>& wall) {
                   1 / (wall->restitution * wall->restitution) - 1 > kSmallJump);
 }
 
-double effective_origin_refinement(const problem::Problem& problem, const Options& options) {
+double effective_origin_refinement(const problem::Problem& problem,
+                                   const FiniteVolumeOptions& options) {
   return options.origin_refinement.value_or(automatic_origin_refinement(problem, options));
 }
 
 // Under white noise with losses, the density near the origin is v^-beta times a function of D2 y /
 // v^3 (Cornell, Swift, Bray 1998). The force has no effect, since noise dominates slow motion at
 // the wall. Cells that resolve x2 down to the length `core` must resolve x1 down to core^3 / D2. If
-// x1 is graded like x2, the computed impact rate is too small (by 1 % at r = 0.6). If the widths of
-// neighbouring cells differ by more than a quarter, a grid-scale ripple of up to 4 % of p(y) is
-// amplified. The length kLongReach keeps the differences of cell widths below a quarter, also on
-// the coarser grids of an error estimate.
-GridGradings automatic_gradings(const problem::Problem& problem, const Options& options,
-                                const LengthScales& lengths) {
+// the cells of x1 are graded like the cells of x2, the computed impact rate is too small (by 1 % at
+// r = 0.6). If the widths of neighbouring cells differ by more than a quarter, a grid-scale ripple
+// of up to 4 % of p(y) is amplified. The length kLongReach keeps the differences of cell widths
+// below a quarter, also on the coarser grids of an error estimate.
+GridCellGradings automatic_gradings(const problem::Problem& problem,
+                                    const FiniteVolumeOptions& options,
+                                    const DensityLengthScales& lengths) {
   // Distances from the refinement point, in length scales, at which cells have half of the width
   // far from the point.
   constexpr double kLongReach = 2, kReach = 0.75;
@@ -186,10 +195,10 @@ GridGradings automatic_gradings(const problem::Problem& problem, const Options& 
   const double diffusion = diffusion_coefficient(problem, options.equation);
   const bool cubic = has_wall_singularity(problem, options) && can_grade_cubically(options);
   const auto grading = [factor](double reach) {
-    return Grading{.reach = reach, .core = reach / (factor - 1)};
+    return CellGrading{.reach = reach, .core = reach / (factor - 1)};
   };
   const double reach = linearised ? kReach : kLongReach;
-  GridGradings result{
+  GridCellGradings result{
       .x1 = grading((cubic ? kLongReach : reach) * lengths.x1),
       .x2 = grading(reach * lengths.x2),
       .at_left_wall = linearised || has_dissipative_impacts(problem.system.left_wall()),
@@ -198,17 +207,18 @@ GridGradings automatic_gradings(const problem::Problem& problem, const Options& 
   return result;
 }
 
-LengthScales automatic_cell_widths(const problem::Problem& problem, const Options& options,
-                                   const LengthScales& lengths) {
-  // Cell widths in length scales of the density. The steep tail of p(y) requires narrower cells in
-  // x1 than in x2.
+DensityLengthScales automatic_cell_widths(const problem::Problem& problem,
+                                          const FiniteVolumeOptions& options,
+                                          const DensityLengthScales& lengths) {
+  // Cell widths of automatic grids, in length scales of the density. The steep tail of p(y)
+  // requires narrower cells in x1 than in x2.
   constexpr double kX1Step = 0.15, kX2Step = 0.16;
   // Wider cells far from the refinement points compensate the number of narrow cells near the
   // refinement points.
   constexpr double kGradedWidth = 1.6;
   double factor =
       (effective_origin_refinement(problem, options) == 1 ? 1 : kGradedWidth) / options.refinement;
-  if (transport_order(options) == kHighOrder) factor *= kHighOrderWidthFactor;
+  if (transport_order(options) == kHighFiniteVolumeOrder) factor *= kCellWidthFactorOfHighOrder;
   return {factor * kX1Step * lengths.x1, factor * kX2Step * lengths.x2};
 }
 

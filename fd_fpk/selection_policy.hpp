@@ -20,7 +20,7 @@ namespace fpkcheck::fd_fpk {
 bool has_linearised_scales(const problem::Problem& problem);
 
 /// Number of impulses per decay time above which characteristics would visit too many cells
-inline constexpr double kMostImpulsesOfCharacteristics = 3000;
+inline constexpr double kMaxImpulsesPerDecayTimeForCharacteristics = 3000;
 /// Returns whether the solver first tries transport along characteristics.
 bool are_characteristics_preferred(const problem::Problem& problem, double impulses_per_decay_time);
 /// Returns whether upwind differences cannot resolve the density, which is unbounded, concentrated
@@ -30,16 +30,17 @@ bool are_characteristics_required(const problem::Problem& problem);
 /// Automatic order of the scheme for a density with several length scales, without losses at a
 /// wall. Without losses, order 7 with wider cells is more accurate than order 5 at equal cost
 /// (docs/performance.md).
-inline constexpr int kHighOrder = 7;
-/// Factor by which cells are wider for schemes of order kHighOrder than for lower orders
-inline constexpr double kHighOrderWidthFactor = 1.2;
+inline constexpr int kHighFiniteVolumeOrder = 7;
+/// Factor by which the cells of a scheme of order kHighFiniteVolumeOrder are wider than the cells
+/// of a scheme of lower order
+inline constexpr double kCellWidthFactorOfHighOrder = 1.2;
 int automatic_scheme_order(const problem::Problem& problem);
 
-/// Returns the factor of Options::wall_density for the stationary density on upwind grids, for
-/// problems without has_linearised_scales().
+/// Returns the factor of FiniteVolumeOptions::wall_density for the stationary density on upwind
+/// grids, for problems without has_linearised_scales().
 double box_edge_density_factor(const problem::Problem& problem);
 
-/// Limits that a density must satisfy to count as resolved by the grid.
+/// Limits of the error indicators of a density that counts as resolved by the grid.
 struct ResolutionLimits {
   double min_density;  ///< smallest accepted density relative to the peak, <= 0
   double power;        ///< largest accepted |residual| of the power balance, relative to the input
@@ -51,19 +52,20 @@ struct ResolutionLimits {
   bool is_power_residual_accepted(double residual) const { return std::abs(residual) <= power; }
 };
 
-/// An automatic grid whose density violates kAutomaticGridLimits is refined. The limits of the
-/// refinement are stricter than the limits of the status `ok`, kStationaryLimits
+/// An automatic grid whose density violates kAutomaticGridResolutionLimits is refined. The limits
+/// of the refinement are stricter than the limits of the status `ok`, kStationaryResolutionLimits
 /// (stationary/status_checks.hpp), and leave a margin.
-inline constexpr ResolutionLimits kAutomaticGridLimits{.min_density = -1e-5, .power = 5e-4};
+inline constexpr ResolutionLimits kAutomaticGridResolutionLimits{.min_density = -1e-5,
+                                                                 .power = 5e-4};
 
 /// Returns whether the densities of all grids are expected to be as negative as the density of a
 /// grid, since the impact to first order in 1-r has no nonnegative density. No finer grid is then
 /// solved to make the density nonnegative.
 /// @param min_density smallest density on the grid, relative to the peak
-bool has_negative_limit(const Options& options, double min_density);
+bool has_negative_limit(const FiniteVolumeOptions& options, double min_density);
 
 /// L1 error estimate down to which an automatic grid is refined, if the time limit permits.
-inline constexpr double kTargetAccuracy = 1e-4;
+inline constexpr double kAutomaticGridTargetL1Error = 1e-4;
 
 /// Returns whether the status `ok` requires small residuals of the balances (kMaxBalanceResidual)
 /// and a refinement of the grid until the status is `ok`. Small residuals are required for problems
@@ -71,7 +73,7 @@ inline constexpr double kTargetAccuracy = 1e-4;
 bool must_satisfy_balances(const problem::Problem& problem);
 
 /// Returns whether the options permit the solver to choose finer grids.
-bool has_automatic_grid(const Options& options);
+bool has_automatic_grid(const FiniteVolumeOptions& options);
 
 /// Returns whether rare impulses make the joint density unbounded at the rest point.
 bool is_density_unbounded_at_origin(const problem::Problem& problem);
@@ -83,8 +85,8 @@ bool has_dissipative_impacts(const std::optional<problem::Wall>& wall);
 inline constexpr double kOriginRefinement = 16;
 /// Automatic ratio of the cell widths of x2 under white noise with losses at the impact. The
 /// density at the wall is proportional to u^-beta, with the speed u. For schemes of order 3 and 5,
-/// the length Grading::core of x1 is at most the cube of the length Grading::core of x2, divided by
-/// the noise coefficient D2.
+/// the length CellGrading::core of x1 is at most the cube of the length CellGrading::core of x2,
+/// divided by the noise coefficient D2.
 inline constexpr double kOriginRefinementUnderWhiteNoise = 32;
 
 /// Automatic ratio of the cell widths of x2 where the force jumps at x2 = 0, without losses at a
@@ -94,23 +96,26 @@ inline constexpr double kOriginRefinementUnderWhiteNoise = 32;
 inline constexpr double kForceJumpRefinement = 4;
 
 /// Returns options.origin_refinement, or the automatic ratio if the option is not set.
-double effective_origin_refinement(const problem::Problem& problem, const Options& options);
+double effective_origin_refinement(const problem::Problem& problem,
+                                   const FiniteVolumeOptions& options);
 
 /// Length scales of the density in x1 and in x2; 0 for a length that is not yet determined.
-struct LengthScales {
+struct DensityLengthScales {
   double x1 = 0, x2 = 0;
 };
 
 /// Gradings of the cells of x1 towards walls, and of the cells of x2 towards 0.
-struct GridGradings {
-  Grading x1, x2;
+struct GridCellGradings {
+  CellGrading x1, x2;
   bool at_left_wall = false, at_right_wall = false;
 };
-GridGradings automatic_gradings(const problem::Problem& problem, const Options& options,
-                                const LengthScales& lengths);
+GridCellGradings automatic_gradings(const problem::Problem& problem,
+                                    const FiniteVolumeOptions& options,
+                                    const DensityLengthScales& lengths);
 
 /// Returns the cell widths in x1 and x2 far from the refinement points.
-LengthScales automatic_cell_widths(const problem::Problem& problem, const Options& options,
-                                   const LengthScales& lengths);
+DensityLengthScales automatic_cell_widths(const problem::Problem& problem,
+                                          const FiniteVolumeOptions& options,
+                                          const DensityLengthScales& lengths);
 
 }  // namespace fpkcheck::fd_fpk

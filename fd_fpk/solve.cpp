@@ -35,13 +35,13 @@ namespace {
 
 class Solver {
  public:
-  Solver(const problem::Problem& problem, const Options& options)
+  Solver(const problem::Problem& problem, const FiniteVolumeOptions& options)
       : problem_(problem),
         scales_(problem::motion_scales(problem)),
         options_(options),
         deadline_(kDeadlineFraction * options.max_seconds) {}
 
-  Result solve() const {
+  FiniteVolumeResult solve() const {
     if (!can_use_characteristics(options_) ||
         !characteristics_unsupported_reason(problem_).empty()) {
       return solve_with_transport(TransportScheme::upwind);
@@ -57,62 +57,67 @@ class Solver {
                                         : TransportScheme::upwind);
     if (along && are_characteristics_required(problem_))
       return solve_with_transport(TransportScheme::characteristics);
-    // The transport of first choice and the alternative transport each have half of the time limit.
-    Result first =
+    // The transport scheme of first choice and the alternative transport scheme each may use half
+    // of the time limit.
+    FiniteVolumeResult first =
         solve_with_transport(along ? TransportScheme::characteristics : TransportScheme::upwind,
                              base::Deadline(options_.tolerance ? deadline_.limit_seconds()
                                                                : deadline_.limit_seconds() / 2));
-    // If upwind differences are the first choice, the error estimate must also be below
-    // kSmallError.
-    if (first.solution.is_ok() && (along || has_small_error(first))) return first;
+    // If upwind finite volumes are the first choice, their solution is final only if the error
+    // estimate is also below kSmallError.
+    if (first.solution.has_status_ok() && (along || has_small_error(first))) return first;
     // An alternative transport does not reach the tolerance faster than the transport of first
     // choice.
     if (options_.tolerance && first.solution.density) return first;
-    // Above kMostImpulsesOfCharacteristics characteristics would visit too many cells. A box that
-    // the options set applies to upwind differences and to characteristics.
+    // Above kMaxImpulsesPerDecayTimeForCharacteristics characteristics would visit too many cells.
+    // A computational box that the options set applies to both transport schemes.
     const bool given_box = options_.x1_max || options_.x2_max;
-    if (given_box || (!along && impulses_per_decay_time > kMostImpulsesOfCharacteristics))
+    if (given_box ||
+        (!along && impulses_per_decay_time > kMaxImpulsesPerDecayTimeForCharacteristics))
       return first;
-    Result second = solve_with_transport(
+    FiniteVolumeResult second = solve_with_transport(
         along ? TransportScheme::upwind : TransportScheme::characteristics, deadline_);
     return is_preferable_result(second, first) ? second : first;
   }
 
  private:
-  static bool has_small_error(const Result& result) {
+  static bool has_small_error(const FiniteVolumeResult& result) {
     constexpr double kSmallError = 1e-3;
     const auto& error = result.summary.error;
     return error && error->y_l1 <= kSmallError && error->ydot_l1 <= kSmallError;
   }
 
-  Result solve_with_transport(TransportScheme transport) const {
+  FiniteVolumeResult solve_with_transport(TransportScheme transport) const {
     return solve_with_transport(transport, deadline_);
   }
 
-  Result solve_with_transport(TransportScheme transport, const base::Deadline& deadline) const {
-    Options options = options_;
+  FiniteVolumeResult solve_with_transport(TransportScheme transport,
+                                          const base::Deadline& deadline) const {
+    FiniteVolumeOptions options = options_;
     options.transport = transport;
     // Transport along characteristics has no adjustable order.
     if (transport == TransportScheme::upwind) {
       options.order = options.order.value_or(automatic_scheme_order(problem_));
     }
-    ScalesAndBox scales_and_box{.scales = scales_};
-    // All grids share one box and the length scales that determine the cell widths.
+    MotionScalesAndBox scales_and_box{.scales = scales_};
+    // All grids of one solution share the computational box and the length scales that determine
+    // the cell widths.
     if (!has_linearised_scales(problem_) && transport == TransportScheme::upwind) {
       options.wall_density *= box_edge_density_factor(problem_);
       scales_and_box.box = stationary_box(problem_, scales_and_box.scales, options, deadline);
     }
-    const auto on_one_grid = [&](const Options& grid) {
+    const auto on_one_grid = [&](const FiniteVolumeOptions& grid) {
       return transport == TransportScheme::characteristics
                  ? solve_along_characteristics(problem_, scales_, grid, deadline)
                  : solve_on_one_grid(problem_, scales_and_box, grid, deadline);
     };
-    if (options.tolerance) return solve_to_tolerance(on_one_grid, options, deadline);
+    if (options.tolerance) return refine_grid_to_tolerance(on_one_grid, options, deadline);
     if (has_automatic_grid(options)) {
-      return refine_until_deadline(on_one_grid, options, deadline,
-                                   must_satisfy_balances(problem_) ? RefinementGoal::accurate_and_ok
-                                                                   : RefinementGoal::accurate,
-                                   scales_and_box.box);
+      return refine_grid_until_deadline(on_one_grid, options, deadline,
+                                        must_satisfy_balances(problem_)
+                                            ? GridRefinementGoal::accurate_and_ok
+                                            : GridRefinementGoal::accurate,
+                                        scales_and_box.box);
     }
     if (options.error_estimate)
       return solve_with_error_estimate(on_one_grid, options, scales_and_box.box);
@@ -121,18 +126,20 @@ class Solver {
 
   const problem::Problem& problem_;
   const problem::MotionScales scales_;
-  const Options& options_;
-  // Fraction of max_seconds; a running solve ends only at the next check of the deadline.
+  const FiniteVolumeOptions& options_;
+  // Fraction of the time limit max_seconds; a running solution ends only when its solver next
+  // checks the deadline.
   static constexpr double kDeadlineFraction = 0.98;
   base::Deadline deadline_;
 };
 
 }  // namespace
 
-Result solve(const problem::Problem& problem, const Options& options) {
+FiniteVolumeResult solve_stationary_density(const problem::Problem& problem,
+                                            const FiniteVolumeOptions& options) {
   validate(options);
   const base::Stopwatch stopwatch;
-  Result result = Solver(problem, options).solve();
+  FiniteVolumeResult result = Solver(problem, options).solve();
   auto& [solution, summary] = result;
   solution.seconds = stopwatch.seconds();
   solution.identity = solution_identity(options);

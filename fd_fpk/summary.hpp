@@ -13,31 +13,34 @@
 namespace fpkcheck::fd_fpk {
 
 /// Estimates of the discretisation errors from solutions on coarser grids.
-struct ErrorEstimate {
+struct DiscretisationErrorEstimate {
   double y_l1 = 0;
   double ydot_l1 = 0;
-  /// Absolute errors of the moments, due to the discretisation and to the finite box
+  /// Estimated absolute errors of the moments, due to the discretisation and to the finite
+  /// computational box
   transform::Moments moments = {};
   transform::Moments box_truncation = {};  ///< part of `moments` due to the finite box
   /// Order of convergence observed in the differences of the marginal densities
   double observed_order = 0;
   transform::Moments extrapolated = {};  ///< limits of the moments by Richardson extrapolation
-  /// estimated error on the finest grid, divided by the difference of the two finest solutions
+  /// estimated discretisation error on the finest grid, divided by the difference of the two finest
+  /// solutions
   double factor = 0;
   std::vector<double> rest_probabilities = {};  ///< error of the probability of each atom at rest
-  double impact_rate = 0;  ///< error of Summary::impact_rate; infinite for an infinite rate
-  /// Whether the observed order is consistent with the order of the scheme
+  double impact_rate =
+      0;  ///< error of FiniteVolumeSummary::impact_rate; infinite for an infinite rate
+  /// Whether the observed order of convergence is consistent with the order of the scheme
   bool has_richardson_limit = false;
 };
 
-/// Numerical data of a run of the solver, without the density.
-struct Summary {
+/// Numerical data of one solution by finite volumes or characteristics, without the density.
+struct FiniteVolumeSummary {
   int nx = 0;
   int nv = 0;
-  /// Order of the finite volumes that was used; 0 along characteristics
+  /// Order of accuracy of the finite volumes; 0 for transport along characteristics
   int order = 0;
-  double refinement = 1;         ///< factor Options::refinement of the solution
-  double origin_refinement = 1;  ///< ratio Options::origin_refinement of the solution
+  double refinement = 1;         ///< factor FiniteVolumeOptions::refinement of the solution
+  double origin_refinement = 1;  ///< ratio FiniteVolumeOptions::origin_refinement of the solution
   double x1_max = 0;
   double x2_max = 0;
   TransportScheme transport = TransportScheme::upwind;
@@ -59,17 +62,19 @@ struct Summary {
   double growth_rate = 0;  ///< largest real part of the excitation's symbol (positive: ill-posed)
   double growth_wavenumber = 0;
   BoxEdgeDensity wall{0, 0};  ///< density on the edges of the box, relative to the peak
-  /// Larger box in which a second solution measures the truncation error, if not negligible
+  /// Larger computational box in which a second solution measures the truncation error, if the
+  /// error is not negligible
   std::optional<EnlargedBox> enlarged_box = {};
   transform::Moments moments_outside_box = {};  ///< estimated moments of the tails outside the box
-  /// Error estimates; absent if the options do not request an estimate
-  std::optional<ErrorEstimate> error = {};
+  /// Estimated discretisation errors; absent if the options do not request an error estimate
+  std::optional<DiscretisationErrorEstimate> error = {};
   /// Whether the residuals of the balances are lower limits of the error estimate, since the
   /// observed order of convergence may be too high
   bool balances_limit_errors = false;
   /// Mean absolute power E[|v f|] of the damping force f in units of the input power, for motion
-  /// along a limit cycle; otherwise 1. The force supplies and dissipates many times the input, so
-  /// that small errors of the density cause large residuals of the balances.
+  /// along a limit cycle; otherwise 1. Along a limit cycle the damping force supplies and
+  /// dissipates many times the input power, so that small errors of the density cause large
+  /// residuals of the balances.
   double exchanged_power = 1;
   /// Residuals of the balances of power, virial and momentum; absent without a density
   transform::BalanceResiduals balances = {};
@@ -79,11 +84,11 @@ struct Summary {
 };
 
 /// Returns the metrics in the order of summary.json, without the errors in transform::StatedError.
-transform::Metrics metrics(const Summary& summary);
+transform::Metrics metrics(const FiniteVolumeSummary& summary);
 
-struct Result {
+struct FiniteVolumeResult {
   transform::Solution solution;  ///< solution whose density is a transform::GridDensity
-  Summary summary;
+  FiniteVolumeSummary summary;
 };
 
 }  // namespace fpkcheck::fd_fpk

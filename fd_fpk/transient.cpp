@@ -34,13 +34,14 @@ using transform::Status;
 
 constexpr double kCellsPerDeviation = 5;
 
-// Returns a box for the initial density, the stationary density and all states that the initial
-// energy can reach, extended by the motion under the force F(t).
-Box transient_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                  const Options& options, const problem::InitialGaussian& start,
-                  const problem::TimeSpan& span, const base::Deadline& deadline) {
+// Returns a computational box for the initial density, the stationary density and all states that
+// the initial energy can reach, extended by the motion under the force F(t).
+PhasePlaneBox transient_box(const problem::Problem& problem, const problem::MotionScales& scales,
+                            const FiniteVolumeOptions& options,
+                            const problem::InitialGaussian& start, const problem::TimeSpan& span,
+                            const base::Deadline& deadline) {
   const auto& system = problem.system;
-  Box box = stationary_box(problem, scales, options, deadline);
+  PhasePlaneBox box = stationary_box(problem, scales, options, deadline);
   const problem::StateRange reached = problem::reachable_state_range(problem, start);
   const problem::MotionExtent forced = problem::forced_motion_extent(problem, span);
   if (!options.x1_max) {
@@ -54,30 +55,33 @@ Box transient_box(const problem::Problem& problem, const problem::MotionScales& 
 
 // Returns the options with cells refined for the initial density. A narrow initial density requires
 // narrow cells in y and in y', since the flow rotates the density in the phase plane.
-Options refine_for_initial_density(Options options, const LengthScales& of_stationary,
-                                   const problem::InitialGaussian& start) {
+FiniteVolumeOptions refine_for_initial_density(FiniteVolumeOptions options,
+                                               const DensityLengthScales& of_stationary,
+                                               const problem::InitialGaussian& start) {
   constexpr double kCells = 6;  // number of cells of the automatic grid per length scale
   const double narrowness = std::max(of_stationary.x1 / start.displacement_deviation,
                                      of_stationary.x2 / start.velocity_deviation);
   options.refinement *= std::max(1.0, narrowness * kCellsPerDeviation / kCells);
-  // Narrow cells at the origin would make the equations stiff and hardly improve the accuracy.
+  // Narrow cells at the origin would make the time-dependent equations stiff and hardly improve the
+  // accuracy.
   options.origin_refinement = options.origin_refinement.value_or(1);
   return options;
 }
 
 DensitySnapshot make_snapshot(const problem::Problem& problem,
                               const problem::EffectivePotential& spring_potential,
-                              const Options& options, const Discretisation& discretisation,
+                              const FiniteVolumeOptions& options,
+                              const PlaneDiscretisation& discretisation,
                               const TimeDependentOperator& op, const Eigen::VectorXd& averages,
                               double time) {
-  const Grid& grid = discretisation.grid;
+  const PhasePlaneGrid& grid = discretisation.grid;
   const Eigen::VectorXd change = op.apply_at_time(time, averages);
   const problem::System& system = problem.system;
   const problem::WallFrame& frame = problem.frame;
   DensitySnapshot s{.time = time,
                     .moments = physical_moments(frame, grid, averages, transport_order(options)),
                     .yv = physical_mixed_moment(frame, grid, averages, transport_order(options))};
-  // The potential U is 0 at y = 0, whatever the origin of the wall coordinates.
+  // The potential U(y) of the spring is 0 at y = 0, whatever the origin of the wall coordinates.
   s.energy = mean_energy(spring_potential, grid, averages, transport_order(options)) -
              spring_potential(frame.wall_x(0));
   const double energy_rate = mean_energy(spring_potential, grid, change, transport_order(options));
@@ -86,7 +90,8 @@ DensitySnapshot make_snapshot(const problem::Problem& problem,
                              power_balance_terms(problem, options.impact,
                                                  moments(grid, averages, transport_order(options)),
                                                  grid, averages, transport_order(options)));
-  const double power_of_force = problem.time.force(time) * frame.physical_velocity(s.moments.v1);
+  const double power_of_force =
+      problem.time.external_force(time) * frame.physical_velocity(s.moments.v1);
   s.power = input - dissipated + power_of_force;
   const double input_scale =
       problem::total_excitation_intensity(problem) / 2 + std::abs(power_of_force);
@@ -110,19 +115,20 @@ DensitySnapshot make_snapshot(const problem::Problem& problem,
   return s;
 }
 
-void check_snapshot(const problem::WallFrame& frame, const Grid& grid,
+void check_snapshot(const problem::WallFrame& frame, const PhasePlaneGrid& grid,
                     const DensitySnapshot& snapshot, TransientResult& result) {
   const std::string when = fmt::format("at t = {:.4g} ", snapshot.time);
-  if (std::string small = box_failure_reason(frame, grid, snapshot.wall, when); !small.empty()) {
+  if (std::string small = small_box_failure_reason(frame, grid, snapshot.wall, when);
+      !small.empty()) {
     result.status = Status::failed;
     result.reason = std::move(small);
-  } else if (!kTransientLimits.is_density_accepted(snapshot.min_density)) {
+  } else if (!kTransientResolutionLimits.is_density_accepted(snapshot.min_density)) {
     result.status = Status::inadmissible;
     result.reason = fmt::format(
         "the density at t = {:.4g} is negative, {:.1g} of its peak: insufficient resolution; "
         "refine the grid, widen the initial density, use order 3, or reduce time-tolerance",
         snapshot.time, snapshot.min_density);
-  } else if (!kTransientLimits.is_power_residual_accepted(snapshot.power_residual)) {
+  } else if (!kTransientResolutionLimits.is_power_residual_accepted(snapshot.power_residual)) {
     result.status = Status::inadmissible;
     result.reason = fmt::format(
         "the power balance at t = {:.4g} has a residual of {:.1g} of the input: insufficient "
@@ -133,27 +139,28 @@ void check_snapshot(const problem::WallFrame& frame, const Grid& grid,
 
 // Returns a discretisation that resolves the initial and the stationary density, with at most
 // `max_cells` cells. A density in narrow wells, or at rest under rare impulses, is narrower than
-// the cells; kTransientLimits detects the insufficient resolution.
-Discretisation discretise_within_limit(const problem::Problem& problem, const Box& box,
-                                       double max_cells, Options& options) {
-  Discretisation discretisation = discretise(problem, options, box);
+// the cells; kTransientResolutionLimits detects the insufficient resolution.
+PlaneDiscretisation discretise_within_limit(const problem::Problem& problem,
+                                            const PhasePlaneBox& box, double max_cells,
+                                            FiniteVolumeOptions& options) {
+  PlaneDiscretisation discretisation = discretise_density_equation(problem, options, box);
   if (options.nx || options.nv || discretisation.cells <= max_cells) return discretisation;
   options.refinement *= std::sqrt(max_cells / discretisation.cells);
-  return discretise(problem, options, box);
+  return discretise_density_equation(problem, options, box);
 }
 
-// Returns the cell averages of a density on another grid.
-Eigen::VectorXd remap_to_grid(const CellDensity& density, const Grid& grid) {
+// Returns the cell averages of a given density on another grid.
+Eigen::VectorXd remap_to_grid(const CellDensity& density, const PhasePlaneGrid& grid) {
   const transform::ConservativeRemap along_x1(density.x1_faces, grid.x1.faces()),
       along_x2(density.x2_faces, grid.x2.faces());
   const auto nx = static_cast<Eigen::Index>(density.x1_faces.size()) - 1,
              nv = static_cast<Eigen::Index>(density.x2_faces.size()) - 1;
-  const Axis x1(density.x1_faces), x2(density.x2_faces);
+  const GridAxis x1(density.x1_faces), x2(density.x2_faces);
   const Eigen::MatrixXd masses =
       x2.cell_widths().asDiagonal() *
       Eigen::Map<const Eigen::MatrixXd>(density.averages.data(), nv, nx) *
       x1.cell_widths().asDiagonal();
-  Eigen::MatrixXd columns(grid.nv(), nx), remapped(grid.nv(), grid.nx());
+  Eigen::MatrixXd columns(grid.v_cell_count(), nx), remapped(grid.v_cell_count(), grid.nx());
   const auto remapped_vector = [](const transform::ConservativeRemap& remap,
                                   const Eigen::VectorXd& from) {
     const std::vector<double> to =
@@ -162,18 +169,18 @@ Eigen::VectorXd remap_to_grid(const CellDensity& density, const Grid& grid) {
         Eigen::Map<const Eigen::VectorXd>(to.data(), static_cast<Eigen::Index>(to.size())));
   };
   for (Eigen::Index i = 0; i < nx; ++i) columns.col(i) = remapped_vector(along_x2, masses.col(i));
-  for (Eigen::Index j = 0; j < grid.nv(); ++j) {
+  for (Eigen::Index j = 0; j < grid.v_cell_count(); ++j) {
     remapped.row(j) = remapped_vector(along_x1, columns.row(j)).transpose();
   }
   return remapped.reshaped().cwiseQuotient(grid.cell_areas());
 }
 
-// Integrates the cell averages of one problem over time.
-class TimeIntegration {
+// Integration over time of the cell averages of the density of one problem.
+class DensityTimeIntegration {
  public:
-  TimeIntegration(const problem::Problem& problem, const Options& options,
-                  const TransientOptions& transient, const Discretisation& discretisation,
-                  const base::Deadline& deadline)
+  DensityTimeIntegration(const problem::Problem& problem, const FiniteVolumeOptions& options,
+                         const TransientOptions& transient,
+                         const PlaneDiscretisation& discretisation, const base::Deadline& deadline)
       : problem_(problem),
         options_(options),
         transient_(transient),
@@ -201,7 +208,7 @@ class TimeIntegration {
     const double tolerance =
         kDistance * problem::decayed_fraction(problem::motion_scales(problem_), transient_.until);
     std::vector<std::pair<double, Eigen::VectorXd>> last_period;
-    const numerics::FixedPoint found = numerics::solve_fixed_point(
+    const numerics::FixedPointResult found = numerics::solve_fixed_point(
         [&](const Eigen::VectorXd& from) -> std::optional<Eigen::VectorXd> {
           last_period.clear();
           integrate_over_snapshots(from, result, [&](double time, const Eigen::VectorXd& averages) {
@@ -237,16 +244,18 @@ class TimeIntegration {
     // Tolerance of GMRES as a fraction of the local error; the residual of GMRES causes a loss of
     // mass.
     constexpr double kLinearTolerance = 1e-3;
-    // The preconditioner is constant, so that CVODE factors again only for a new gamma.
+    // The matrix of the preconditioner is constant, so that CVODE factors again only for a new step
+    // coefficient gamma.
     constexpr long kStepsPerFactorisation = 10000;
     // Longest step under an excitation that changes in time, as a fraction of the end time. A
-    // longer step could pass over a short pulse, whatever the tolerance of the local error.
+    // longer time step could pass over a short pulse of the excitation, whatever the tolerance of
+    // the local error.
     constexpr double kLongestStep = 0.02;
     LinearOdeSystem system = make_linear_ode_system(
         [this](double t, const Eigen::VectorXd& p) { return op_.apply_at_time(t, p); },
         preconditioner_);
     std::optional<double> max_step;
-    if (problem_.time.is_present()) max_step = kLongestStep * transient_.until;
+    if (problem_.time.is_acting()) max_step = kLongestStep * transient_.until;
     return {with_deadline_check(deadline_, std::move(system)), start,
             BdfSettings{.max_order = transient_.max_order,
                         .relative_tolerance = transient_.relative_tolerance,
@@ -259,7 +268,7 @@ class TimeIntegration {
   }
 
   // Integrates over the times of the snapshots, and calls on_snapshot(time, averages) at each time.
-  // If the end time is not reached, the function sets the status of the result.
+  // If the integration does not reach the end time, the status of the result is set.
   // @param on_snapshot returns whether the integration continues
   template <class OnSnapshot>
   void integrate_over_snapshots(const Eigen::VectorXd& start, TransientResult& result,
@@ -305,16 +314,17 @@ class TimeIntegration {
   }
 
   const problem::Problem& problem_;
-  const Options& options_;
+  const FiniteVolumeOptions& options_;
   const TransientOptions& transient_;
-  const Discretisation& on_;
+  const PlaneDiscretisation& on_;
   const base::Deadline& deadline_;
   problem::EffectivePotential spring_potential_;
   TimeDependentOperator op_;
   Preconditioner preconditioner_;
 };
 
-TransientResult solve_without_timing(const problem::Problem& problem, const Options& options,
+TransientResult solve_without_timing(const problem::Problem& problem,
+                                     const FiniteVolumeOptions& options,
                                      const TransientOptions& transient) {
   const problem::MotionScales scales = problem::motion_scales(problem);
   const problem::WallFrame& frame = problem.frame;
@@ -331,12 +341,12 @@ TransientResult solve_without_timing(const problem::Problem& problem, const Opti
   result.start_mean_velocity = frame.physical_velocity(start.mean_velocity);
 
   const base::Deadline deadline(options.max_seconds);
-  const Box box = transient_box(problem, scales, options, start,
-                                {transient.until, transient.periodic}, deadline);
-  Options on_grid = refine_for_initial_density(options, box.lengths, start);
-  const Discretisation discretisation =
+  const PhasePlaneBox box = transient_box(problem, scales, options, start,
+                                          {transient.until, transient.periodic}, deadline);
+  FiniteVolumeOptions on_grid = refine_for_initial_density(options, box.lengths, start);
+  const PlaneDiscretisation discretisation =
       discretise_within_limit(problem, box, transient.max_cells, on_grid);
-  const Grid& grid = discretisation.grid;
+  const PhasePlaneGrid& grid = discretisation.grid;
   result.regularisation_length = discretisation.regularisation_length;
   if (!discretisation.failure.empty()) {
     result.reason = discretisation.failure;
@@ -351,7 +361,7 @@ TransientResult solve_without_timing(const problem::Problem& problem, const Opti
     return result;
   }
   Eigen::VectorXd averages = gaussian_cell_averages(start, grid);
-  TimeIntegration integration(problem, on_grid, transient, discretisation, deadline);
+  DensityTimeIntegration integration(problem, on_grid, transient, discretisation, deadline);
   result.status = Status::ok;
   if (transient.periodic) {
     if (transient.periodic_guess) averages = remap_to_grid(*transient.periodic_guess, grid);
@@ -364,7 +374,7 @@ TransientResult solve_without_timing(const problem::Problem& problem, const Opti
 
 }  // namespace
 
-TransientResult solve_transient(const problem::Problem& problem, const Options& options,
+TransientResult solve_transient(const problem::Problem& problem, const FiniteVolumeOptions& options,
                                 const TransientOptions& transient) {
   validate(options, transient);
   const problem::Problem transformed = problem::to_wall_coordinates(

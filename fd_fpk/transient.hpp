@@ -12,7 +12,7 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// The density at one time, in physical coordinates.
+/// Density of displacement and velocity at one time, in physical coordinates.
 struct DensitySnapshot {
   double time = 0;
   transform::Moments moments{};
@@ -21,7 +21,7 @@ struct DensitySnapshot {
   /// Power input minus dissipation (problem::power_balance); equal to dE/dt for the exact equation
   double power = 0;
   /// Difference between `power` and the dE/dt of the discrete equation dp/dt = L p, relative to D +
-  /// lambda E[Y^2]/2. Without discretisation error the difference is 0.
+  /// lambda E[Y^2]/2. Without discretisation error this power residual is 0.
   double power_residual = 0;
   double impact_rate = 0;  ///< flux of probability into the walls, int |v| p dv
   double mass = 0;
@@ -61,23 +61,25 @@ struct TransientResult {
   double regularisation_length = 0;  ///< regularisation length l of km4; 0 for other equations
 };
 
-/// Computes the density p(y, y', t) over time with the operator of solve(). The initial density is
-/// a Gaussian, truncated at the walls and normalised to mass 1 between the walls. CVODE integrates
-/// in time with BDF of variable step and order, and GMRES is preconditioned by KLU.
+/// Computes the density p(y, y', t) over time with the operator of solve_stationary_density(). The
+/// initial density is a Gaussian, truncated at the walls and normalised to mass 1 between the
+/// walls. CVODE integrates in time with BDF of variable step and order, and GMRES is preconditioned
+/// by KLU.
 ///
-/// An automatic box contains the stationary density, the initial density, and every state that the
-/// initial energy can reach. An automatic grid resolves the stationary and the initial density, as
-/// far as 10 000 cells suffice. The function ignores Options::stepper and residual_tolerance.
-/// Options::order must be 3 or 5, since operators of other orders have growing modes.
+/// An automatic computational box contains the stationary density, the initial density, and every
+/// state that the initial energy can reach. An automatic grid resolves the stationary and the
+/// initial density, as far as 10 000 cells suffice. The options FiniteVolumeOptions::stepper and
+/// residual_tolerance do not affect the density over time. FiniteVolumeOptions::order must be 3 or
+/// 5, since operators of other orders have growing modes.
 ///
 /// The periodic state is the fixed point of the map from the density at t = 0 to the density one
 /// period later, found by numerics::solve_fixed_point(). The status is `not_converged` if the
 /// estimated L1 distance to the periodic state exceeds 1e-4.
 ///
-/// The status is `inadmissible` if the density of a snapshot violates kTransientLimits.
+/// The status is `inadmissible` if the density of a snapshot violates kTransientResolutionLimits.
 /// @param problem problem in any coordinates; the result has physical coordinates
 /// @throws InputError for invalid options, or if transient_unsupported_reason is not empty
-TransientResult solve_transient(const problem::Problem& problem, const Options& options,
+TransientResult solve_transient(const problem::Problem& problem, const FiniteVolumeOptions& options,
                                 const TransientOptions& transient);
 
 }  // namespace fpkcheck::fd_fpk

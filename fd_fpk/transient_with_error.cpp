@@ -37,7 +37,7 @@ transform::Marginal averages_over_bins(const std::vector<double>& cell_edges,
                                .density = transform::ConservativeRemap(cell_edges, edges)(masses),
                                .lower = {},
                                .upper = {}};
-  for (std::size_t b = 0; b < marginal.size(); ++b) marginal.density[b] /= marginal.width(b);
+  for (std::size_t b = 0; b < marginal.size(); ++b) marginal.density[b] /= marginal.bin_width(b);
   return marginal;
 }
 
@@ -55,10 +55,10 @@ std::vector<transform::TransientSnapshot> make_transient_snapshots(
 
 }  // namespace
 
-transform::Transient solve_transient_with_error(const problem::Problem& problem,
-                                                const Options& options,
-                                                const TransientRequest& request) {
-  transform::Transient transient{.id = solution_identity(options).id};
+transform::TransientDensities solve_transient_with_error(const problem::Problem& problem,
+                                                         const FiniteVolumeOptions& options,
+                                                         const TransientRequest& request) {
+  transform::TransientDensities transient{.id = solution_identity(options).id};
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system),
                                    problem::with_largest_excitation(problem, request.time_span()));
@@ -87,7 +87,7 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
     on_coarse.max_cells *= coarsening * coarsening;
     on_coarse.continues_if_inadmissible = true;
     if (on_coarser_grid) on_coarse.periodic_guess = &*on_coarser_grid->periodic_state;
-    Options coarser = options;
+    FiniteVolumeOptions coarser = options;
     coarser.refinement *= coarsening;
     if (request.periodic) coarser.max_seconds = remaining_seconds();
     return solve_transient(problem, coarser, on_coarse);
@@ -107,7 +107,7 @@ transform::Transient solve_transient_with_error(const problem::Problem& problem,
       return transient;
     }
     on_fine.periodic_guess = &*coarse.periodic_state;
-    Options in_remaining_time = options;
+    FiniteVolumeOptions in_remaining_time = options;
     in_remaining_time.max_seconds = remaining_seconds();
     fine = solve_transient(problem, in_remaining_time, on_fine);
   } else {

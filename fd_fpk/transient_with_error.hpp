@@ -10,8 +10,8 @@ namespace fpkcheck::fd_fpk {
 /// tolerance of the time steps. The difference is the error estimate: for a linear oscillator
 /// the errors of the second computation were 2.8 times as large.
 /// @throws InputError as solve_transient()
-transform::Transient solve_transient_with_error(const problem::Problem& problem,
-                                                const Options& options,
-                                                const transform::TransientRequest& request);
+transform::TransientDensities solve_transient_with_error(
+    const problem::Problem& problem, const FiniteVolumeOptions& options,
+    const transform::TransientRequest& request);
 
 }  // namespace fpkcheck::fd_fpk

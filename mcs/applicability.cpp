@@ -10,10 +10,11 @@ namespace fpkcheck::mcs {
 
 namespace {
 
-// Returns whether bounces on a wall do not end because r(u) tends to 1 as u -> 0.
+// Returns whether the bounces on a wall never end, because the restitution coefficient r(u) tends
+// to 1 as the impact speed u tends to 0.
 bool has_endless_bounces(const problem::Problem& problem) {
-  const Oscillator oscillator = make_oscillator(problem, problem::motion_scales(problem));
-  const auto is_endless = [](const Wall& wall) {
+  const SimulatedOscillator oscillator = make_oscillator(problem, problem::motion_scales(problem));
+  const auto is_endless = [](const SimulatedWall& wall) {
     return wall.formula != nullptr && wall.contact_force > 0 &&
            std::isinf(total_bounce_time(wall, wall.rest_speed));
   };
@@ -22,12 +23,12 @@ bool has_endless_bounces(const problem::Problem& problem) {
 
 }  // namespace
 
-std::string unsupported_reason(const problem::Problem& problem, const Options& options) {
-  // For a Duffing oscillator at a wall, solve() itself reports an inelastic collapse as a failed
-  // solution.
+std::string unsupported_reason(const problem::Problem& problem, const SimulationOptions& options) {
+  // For a Duffing oscillator at a wall, simulate_stationary_density() itself reports an inelastic
+  // collapse as a failed solution.
   if (is_duffing_at_wall(problem)) return "";
   if (problem.noise_factor) {
-    if (problem.impulses.is_present() && options.equation == DensityEquation::white) {
+    if (problem.impulses.is_acting() && options.equation == DensityEquation::white) {
       return "noise.factor excludes white noise in place of the impulses; use kf";
     }
     if (problem.noise_factor->depends_on_v() && problem.noise_factor->has_jumps()) {
@@ -37,7 +38,7 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
   if (problem.impulse_factor && options.equation == DensityEquation::white) {
     return "mcs does not support white noise in place of impulses with impulse.factor; use kf, or fd";
   }
-  const bool has_noise = problem.noise.is_present() || options.equation == DensityEquation::white;
+  const bool has_noise = problem.noise.is_acting() || options.equation == DensityEquation::white;
   if (!problem.system.has_constant_restitution() && !has_noise && has_endless_bounces(problem)) {
     return "the mass bounces on the wall without end, since the restitution coefficient tends to 1 "
            "with the impact speed; choose r(0) < 1";
@@ -52,10 +53,11 @@ std::string unsupported_reason(const problem::Problem& problem, const Options& o
   return problem::inelastic_collapse_reason(problem, options.equation);
 }
 
-std::string unsupported_functional_reason(const problem::Problem& problem, const Options& options) {
+std::string unsupported_functional_reason(const problem::Problem& problem,
+                                          const SimulationOptions& options) {
   const std::string reason = unsupported_reason(problem, options);
   const bool has_factor = problem.time.has_rate_factor() || problem.time.has_intensity_factor();
-  if (reason.empty() && has_factor && problem.impulses.is_present() &&
+  if (reason.empty() && has_factor && problem.impulses.is_acting() &&
       options.equation == DensityEquation::white) {
     return "mcs does not support white noise in place of impulses with time.rate or time.intensity; "
            "use kf, or fd";
@@ -63,8 +65,10 @@ std::string unsupported_functional_reason(const problem::Problem& problem, const
   return reason.empty() ? problem::inelastic_collapse_reason(problem, options.equation) : reason;
 }
 
-std::string unsupported_splitting_reason(const problem::Problem& problem, const Options& options) {
-  // For a Duffing oscillator at a wall, c > 0 and evenly spaced impulses replace the white noise.
+std::string unsupported_splitting_reason(const problem::Problem& problem,
+                                         const SimulationOptions& options) {
+  // For a Duffing oscillator at a wall the simulation needs damping c > 0, and replaces white noise
+  // by evenly spaced impulses.
   if (is_duffing_at_wall(problem)) return "";
   if (!problem.system.has_polynomial_force()) {
     return "tail splitting needs a polynomial potential, and the force is a formula";

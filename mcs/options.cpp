@@ -32,55 +32,57 @@ std::vector<std::string> supported_equation_names() {
 
 }  // namespace
 
-const Description<Options>& description() {
+const Description<SimulationOptions>& description() {
   static const auto description =
-      Description<Options>("mcs.")
-          .add("equation", &Options::equation,
+      Description<SimulationOptions>("mcs.")
+          .add("equation", &SimulationOptions::equation,
                {"E",
                 "excitation: kf, the impulses; white, Gaussian white noise of the same "
                 "intensity"})
           .with_choices(supported_equation_names())
-          .add("time", &Options::time,
+          .add("time", &SimulationOptions::time,
                {"T",
                 "simulated time over all streams (default: 1.6e6 decay times, a 32nd of them with "
                 "--controlled or --tails, or about a minute)"},
                positive_numbers())
-          .add("samples", &Options::samples,
+          .add("samples", &SimulationOptions::samples,
                {"N", "simulate until E[y'^2] is as precise as from N independent samples"},
                positive_numbers())
-          .add("target_error", &Options::target_error,
+          .add("target_error", &SimulationOptions::target_error,
                {"E",
                 "simulate until the relative standard errors of E[y^2] and E[y'^2] and the "
                 "expected L1 sampling errors of the densities are below E"},
                open_interval(0, 1))
-          .add("accuracy", &Options::accuracy,
+          .add("accuracy", &SimulationOptions::accuracy,
                {"L1",
                 "tolerance for the 99 % quantiles of the L1 sampling errors of p(y) and p(y')"},
                positive_numbers().with_appended_reason("no simulation is exact"))
-          .with_default(Options{}.accuracy)
-          .add("seed", &Options::seed,
+          .with_default(SimulationOptions{}.accuracy)
+          .add("seed", &SimulationOptions::seed,
                {"S",
                 "seed of the random numbers; a seed gives the same result for any number of "
                 "threads"},
                non_negative_numbers())
-          .add("threads", &Options::threads, {"N", "threads to use (default: one per processor)"},
+          .add("threads", &SimulationOptions::threads,
+               {"N", "threads to use (default: one per processor)"},
                closed_interval(1, kMostThreads))
-          .add("streams", &Options::streams, {"N", "number of independent streams"},
+          .add("streams", &SimulationOptions::streams, {"N", "number of independent streams"},
                closed_interval(kFewestStreams, kMostStreams)
                    .with_appended_reason(
                        "standard errors come from the differences between streams"))
-          .add("step", &Options::step,
+          .add("step", &SimulationOptions::step,
                {"RAD", "longest Taylor step, in radians of the highest frequency (default 0.9)"},
                closed_interval(kShortestStep, kLongestStep))
           .add(
-              "white_step", &Options::white_step,
+              "white_step", &SimulationOptions::white_step,
               {"RAD",
                "interval between the kicks that approximate white noise, in radians (default "
                "0.05; for other oscillators than the paper's 0.2 if every restitution coefficient is at "
                "least 0.6, noise.factor is absent and the force does not jump in v)"},
               closed_interval(kShortestStep, kLongestWhiteStep))
-          .add("tails", &Options::tails, {"", "resolve the far tails by importance splitting"})
-          .add("controlled", &Options::controlled,
+          .add("tails", &SimulationOptions::tails,
+               {"", "resolve the far tails by importance splitting"})
+          .add("controlled", &SimulationOptions::controlled,
                {"",
                 "reduce the variance by control variates, as `run` does: moments to about 1e-9, "
                 "densities in smooth bins to 1e-6"})
@@ -88,7 +90,7 @@ const Description<Options>& description() {
   return description;
 }
 
-void validate(const Options& options) {
+void validate(const SimulationOptions& options) {
   description().validate(options);
   if (std::ranges::find(kEquations, options.equation) == std::end(kEquations)) {
     throw InputError(
@@ -110,22 +112,22 @@ void validate(const Options& options) {
   }
 }
 
-std::string id(const Options& options) {
+std::string solution_id(const SimulationOptions& options) {
   return options.equation == DensityEquation::white ? "mcs-white" : "mcs";
 }
 
-transform::SolutionIdentity identity(const Options& options) {
-  return {.id = id(options),
+transform::SolutionIdentity solution_identity(const SimulationOptions& options) {
+  return {.id = solution_id(options),
           .method = "mcs",
           .equation = options.equation,
           .impact = problem::ImpactCondition::exact,
           .role = transform::SolutionRole::simulation};
 }
 
-std::optional<Options> options_of(std::string_view id) {
+std::optional<SimulationOptions> options_of(std::string_view id) {
   for (const DensityEquation equation : kEquations) {
-    const Options options{.equation = equation};
-    if (mcs::id(options) == id) return options;
+    const SimulationOptions options{.equation = equation};
+    if (mcs::solution_id(options) == id) return options;
   }
   return std::nullopt;
 }

@@ -14,8 +14,8 @@
 
 /// Monte Carlo simulation of the impact system, paper (1)-(2), in wall coordinates
 /// (problem/walls.hpp), with other forces, damping, walls and Gaussian noise as extensions. The
-/// simulation uses no transformation of the variables, no density equation and no code of other
-/// solvers.
+/// Monte Carlo simulation uses no transformation of the variables, no density equation and no code
+/// of other solvers.
 namespace fpkcheck::mcs {
 
 using problem::DensityEquation;
@@ -24,13 +24,13 @@ struct SimulationProgress {
   double fraction;  ///< fraction of the simulation that is complete, estimated
   /// Expected L1 sampling errors of p(y) and p(y') if the simulation ended now, as in
   /// Solution::sampling of the result; empty with control variates, and if this process simulates
-  /// only a part of the streams
+  /// only a part of the trajectory streams
   std::optional<double> y_l1{}, ydot_l1{};
 };
 
 /// Distribution of a simulation over several processes; each process advances a part of the
-/// streams.
-struct ProcessGroup {
+/// trajectory streams.
+struct SimulationProcessGroup {
   int part = 0, parts = 1;
   /// Function that each process calls to send its streams to the first process.
   /// @param serialised_streams streams of this process; ignored in the first process
@@ -39,18 +39,19 @@ struct ProcessGroup {
   std::function<std::vector<std::string>(const std::string& serialised_streams)> gather = {};
 };
 
-struct Options {
+struct SimulationOptions {
   /// Excitation: `kf` for the impulses, paper (3), or `white` for Gaussian white noise of the same
   /// mean and intensity
   DensityEquation equation = DensityEquation::kf;
   /// Simulated time, summed over all streams, rounded up to whole rounds. The default is 1.6e6
   /// decay times of the slowest mode of equivalent linearisation (2/c_eq below critical damping).
-  /// The options `tails` and `controlled` divide the default time by 32. With `samples` or
-  /// `target_error` the time limit is 1e4 times the default. A default time that needs more than a
-  /// few seconds is shortened, unless `accuracy` requires up to about a minute
-  /// (simulation/simulation_plan.cpp).
+  /// The options `tails` and `controlled` divide the default simulated time by 32. With the options
+  /// `samples` or `target_error` the limit of the simulated time is 1e4 times the default time. A
+  /// default time that needs more than a few seconds is shortened, unless `accuracy` requires up to
+  /// about a minute (simulation/simulation_plan.cpp).
   std::optional<double> time{};
-  /// Required number of effective samples of y'^2 (Summary::effective_samples)
+  /// Required number of effectively independent samples of y'^2
+  /// (SimulationSummary::effective_samples)
   std::optional<double> samples{};
   /// Required error: upper limit of the relative standard errors of E[y^2] and E[y'^2] and of the
   /// expected L1 sampling errors of the marginals
@@ -76,50 +77,55 @@ struct Options {
   /// the peak density and less.
   bool tails = false;
   /// Reduces the variance by control variates, for `kf` without `tails`. Only
-  /// control_variates::solve() implements this option; mcs::solve() returns the plain estimates.
+  /// control_variates::simulate_with_control_variates() implements this option;
+  /// mcs::simulate_stationary_density() returns the plain estimates.
   bool controlled = false;
 
-  // The members below are no command-line options and are not written to files.
+  // The members after this comment are no command-line options and are not written to files.
 
-  /// Increasing bin edges of the histogram; y_edges begin at 0. The default is 140 bins each over 0
-  /// .. 7 sigma_1 and +-7 sigma_2 of equivalent linearisation.
+  /// Increasing bin edges of the histogram; y_edges begin at 0. By default the histogram has 140
+  /// bins of y over 0 .. 7 sigma_1 and 140 bins of y' over +-7 sigma_2, with the standard
+  /// deviations of equivalent linearisation.
   std::vector<double> y_edges{};
   std::vector<double> v_edges{};
-  /// Grid on which samples are deposited (Summary::deposits), only for `kf` without `tails`; the
-  /// grid does not change any other result
-  std::optional<DepositGrid> deposit{};
+  /// Grid on which samples are deposited (SimulationSummary::deposits), only for `kf` without
+  /// `tails`; the grid does not change any other result
+  std::optional<SampleDepositGrid> deposit{};
   /// Checkpoint file, written every half minute and at the end; if empty, no checkpoint is written.
   /// The simulation does not begin if the path cannot be written; later write errors call `warn`.
   std::string checkpoint{};
   /// Checkpoint file from which the simulation resumes, with the same result, bit for bit, as an
   /// uninterrupted run; if empty, the simulation begins anew
   std::string resume{};
-  /// Callback for the progress after every round; an exception of the callback leaves solve()
+  /// Callback for the progress after every round; an exception of the callback leaves
+  /// simulate_stationary_density()
   std::function<void(const SimulationProgress&)> progress{};
   /// Callback after every round; if `stop` returns true, the result uses the completed rounds
   std::function<bool()> stop{};
-  /// Callback for one-line warnings that do not affect the result; Summary::warnings contains all
-  /// warnings as well
+  /// Callback for one-line warnings that do not affect the result; SimulationSummary::warnings
+  /// contains all warnings as well
   std::function<void(const std::string&)> warn{};
-  /// Processes among which the streams are divided. The result of the first process is the same,
-  /// bit for bit, for any number of processes. Several processes require `time` and permit no
-  /// checkpoints.
-  ProcessGroup process_group{};
+  /// Processes among which the streams are divided. The result in the first process does not depend
+  /// on the number of processes, bit for bit. A simulation by several processes requires the option
+  /// `time` and permits no checkpoints.
+  SimulationProcessGroup process_group{};
 };
 
-const base::Description<Options>& description();
+const base::Description<SimulationOptions>& description();
 
 /// @throws InputError in one line with the option, its value and the allowed range
-void validate(const Options& options);
+void validate(const SimulationOptions& options);
 
-/// Returns the id of the solution that solve() computes with these options: "mcs" or "mcs-white".
-std::string id(const Options& options);
+/// Returns the id of the solution that simulate_stationary_density() computes with these options:
+/// "mcs" or "mcs-white".
+std::string solution_id(const SimulationOptions& options);
 
-/// Returns the identity (id, label, method) of the solution that solve() computes with these
-/// options.
-transform::SolutionIdentity identity(const Options& options);
+/// Returns the identity (id, label, method) of the solution that simulate_stationary_density()
+/// computes with these options.
+transform::SolutionIdentity solution_identity(const SimulationOptions& options);
 
-/// Returns the options with which solve() computes the solution `id`; empty for other ids.
-std::optional<Options> options_of(std::string_view id);
+/// Returns the options with which simulate_stationary_density() computes the solution `id`; empty
+/// for other ids.
+std::optional<SimulationOptions> options_of(std::string_view id);
 
 }  // namespace fpkcheck::mcs

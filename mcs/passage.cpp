@@ -50,7 +50,7 @@ class CrossingDetector {
   /// Calls `on_upcrossing` and `on_downcrossing` with the times of the level crossings between the
   /// previous sample and the sample y.
   template <class Up, class Down>
-  void add_sample(double y, const Up& on_upcrossing, const Down& on_downcrossing) {
+  void add_sample_to_statistics(double y, const Up& on_upcrossing, const Down& on_downcrossing) {
     if (count_ == 0 && y >= level_ && starts_below_) {
       on_upcrossing(0);
     } else if (count_ >= 1 && y >= level_ && last_ < level_) {
@@ -93,17 +93,17 @@ class FastPotential {
  public:
   FastPotential(const problem::Problem& problem, const problem::MotionScales& scales)
       : potential_(problem.system), low_(scales.y_low) {
-    if (potential_.polynomial() != nullptr) return;
+    if (potential_.polynomial_or_null() != nullptr) return;
     step_ = (scales.y_high - scales.y_low) / kIntervals;
     for (int n = 0; n <= kIntervals; ++n) {
       const double y = low_ + n * step_;
       values_.push_back(potential_(y));
-      slopes_.push_back(potential_.slope(y));
+      slopes_.push_back(potential_.potential_slope(y));
     }
   }
 
   double operator()(double y) const {
-    if (potential_.polynomial() != nullptr) return (*potential_.polynomial())(y);
+    if (potential_.polynomial_or_null() != nullptr) return (*potential_.polynomial_or_null())(y);
     const double node = (y - low_) / step_;
     if (!(node >= 0 && node < kIntervals)) return potential_(y);
     const auto n = static_cast<std::size_t>(node);
@@ -208,10 +208,11 @@ class StreamCrossings {
   template <class Up, class Down>
   void add_round(Simulation& simulation, std::size_t stream, const Up& on_upcrossing,
                  const Down& on_downcrossing) {
-    std::vector<double>& series = simulation.y_series(stream);
+    std::vector<double>& series = simulation.displacement_series(stream);
     std::vector<RecordedState>& states = simulation.recorded_states(stream);
     if (auto* displacement = std::get_if<CrossingDetector>(&detector_)) {
-      for (const double y : series) displacement->add_sample(y, on_upcrossing, on_downcrossing);
+      for (const double y : series)
+        displacement->add_sample_to_statistics(y, on_upcrossing, on_downcrossing);
     } else {
       std::get<EnergyCrossingDetector>(detector_).add_round(states, on_upcrossing, on_downcrossing);
     }
@@ -278,10 +279,10 @@ ValueWithError mean_time_from_stationary(const std::vector<StaySums>& streams) {
 // Returns the largest number of samples of a stream in a round, since all samples, impulses and
 // kicks of a round are stored.
 double most_samples_per_round(const SimulationPlan& plan) {
-  return kMostRecords / (1 + plan.event_rate * plan.sampling_interval);
+  return kMostRecords / (1 + plan.expected_event_rate * plan.sampling_interval);
 }
 
-SimulationPlan make_passage_plan(const problem::Problem& problem, const Options& options,
+SimulationPlan make_passage_plan(const problem::Problem& problem, const SimulationOptions& options,
                                  const problem::MotionScales& scales,
                                  const std::optional<double>& displacement_barrier) {
   SimulationPlan plan = make_simulation_plan(problem, options);
@@ -296,8 +297,8 @@ SimulationPlan make_passage_plan(const problem::Problem& problem, const Options&
     plan.sampling_interval = std::min(plan.sampling_interval, time_to_wall / kSamplesToWall);
   }
   const double most_samples = kMostPeriods * kSamplesPerPeriod;
-  const double time = options.time.value_or(
-      std::min(most_samples * plan.sampling_interval, kMostPassageEvents / plan.event_rate));
+  const double time = options.time.value_or(std::min(
+      most_samples * plan.sampling_interval, kMostPassageEvents / plan.expected_event_rate));
   const double samples = time / plan.streams / plan.sampling_interval;
   plan.samples_per_round = static_cast<std::uint64_t>(
       std::ceil(std::min(samples / kRounds, most_samples_per_round(plan))));
@@ -383,12 +384,12 @@ double stay_count(const std::vector<StaySums>& streams) {
 std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation,
                                                     const PassageLevel& level, double hazard_time,
                                                     const std::vector<double>& times,
-                                                    const Options& options) {
+                                                    const SimulationOptions& options) {
   const SimulationPlan& plan = simulation.plan();
   const auto streams = static_cast<std::size_t>(plan.streams);
   std::vector<StayCounter> counters(streams, {level, plan, hazard_time, times});
-  const auto run_round = [&] {
-    simulation.run_round();
+  const auto run_sampling_round = [&] {
+    simulation.run_sampling_round();
     base::parallel_for(streams, plan.threads,
                        [&](std::size_t s) { counters[s].add_round(simulation, s); });
   };
@@ -399,7 +400,7 @@ std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation,
   };
   simulation.run_burn_in();
   for (std::uint64_t round = 0; round < plan.rounds; ++round) {
-    run_round();
+    run_sampling_round();
     if (options.progress) {
       options.progress({static_cast<double>(round + 1) / static_cast<double>(plan.rounds) / 2});
     }
@@ -414,7 +415,7 @@ std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation,
   const std::uint64_t most_rounds = plan.rounds;  // a stay may last as long as the simulation
   for (std::uint64_t round = 0;
        round < most_rounds && std::ranges::any_of(counters, &StayCounter::has_open_stay); ++round) {
-    run_round();
+    run_sampling_round();
   }
   if (std::ranges::any_of(counters, &StayCounter::has_open_stay)) return std::nullopt;
   return all_sums();
@@ -424,9 +425,9 @@ std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation,
 // after a passage. Every stream makes the same number of passages, since a limit of the simulated
 // time would favour short passages.
 std::optional<ValueWithError> simulate_passages_from_point(
-    Simulation& simulation, const PassageLevel& level, const transform::StartState& start,
+    Simulation& simulation, const PassageLevel& level, const transform::PassageStartState& start,
     double mean, double most_time, const std::vector<double>& times,
-    std::vector<ValueWithError>& survival, const Options& options) {
+    std::vector<ValueWithError>& survival, const SimulationOptions& options) {
   constexpr double kMostPassages = 5e3, kFewestPerStream = 4;
   const SimulationPlan& plan = simulation.plan();
   const auto streams = static_cast<std::size_t>(plan.streams);
@@ -450,7 +451,7 @@ std::optional<ValueWithError> simulate_passages_from_point(
       survival.clear();
       return std::nullopt;
     }
-    simulation.run_round();
+    simulation.run_sampling_round();
     finished = 0;
     for (std::size_t s = 0; s < streams; ++s) {
       std::optional<double> passage;
@@ -488,7 +489,7 @@ std::optional<ValueWithError> simulate_passages_from_point(
 
 // Returns why the simulation does not treat a barrier; empty if it does.
 std::string unsupported_barrier_reason(const problem::Problem& transformed,
-                                       const transform::Barrier& barrier) {
+                                       const transform::PassageBarrier& barrier) {
   if (!barrier.is_energy()) {
     return problem::barrier_unsupported_reason(transformed,
                                                transformed.frame.wall_x(barrier.level));
@@ -500,25 +501,26 @@ std::string unsupported_barrier_reason(const problem::Problem& transformed,
 
 EnergyLevel energy_passage_level(const problem::Problem& transformed, const SimulationPlan& plan,
                                  const problem::MotionScales& scales, double energy) {
-  const bool even = plan.excitation.arrivals == Excitation::Arrivals::even;
+  const bool even = plan.excitation.arrivals == ImpulseProcess::Arrivals::even;
   return {.potential = {transformed, scales},
           .level = transform::energy_level_in_wall_coordinates(transformed, energy),
           .impulse_variance = even ? plan.excitation.width * plan.excitation.width : 0,
-          .has_noise = even || plan.kicks.is_present()};
+          .has_noise = even || plan.kicks.is_acting()};
 }
 
-bool is_below(const transform::StartState& state, const EnergyLevel& energy) {
+bool is_below(const transform::PassageStartState& state, const EnergyLevel& energy) {
   return state.ydot * state.ydot / 2 + energy.potential(state.y) < energy.level;
 }
 
 }  // namespace
 
-transform::Passage estimate_passage(const problem::Problem& problem, const Options& options,
-                                    const transform::Barrier& barrier,
-                                    const std::vector<double>& times,
-                                    std::optional<transform::StartState> start) {
+transform::FirstPassageResult estimate_passage(const problem::Problem& problem,
+                                               const SimulationOptions& options,
+                                               const transform::PassageBarrier& barrier,
+                                               const std::vector<double>& times,
+                                               std::optional<transform::PassageStartState> start) {
   const base::Stopwatch stopwatch;
-  transform::Passage passage{.id = id(options)};
+  transform::FirstPassageResult passage{.id = solution_id(options)};
   passage.has_standard_errors = true;
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
@@ -537,7 +539,7 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
                                  ? energy_passage_level(transformed, plan, scales, barrier.level)
                                  : PassageLevel(displacement);
   const auto enable_records = [&](Simulation& simulation) {
-    is_energy ? simulation.enable_states() : simulation.enable_series();
+    is_energy ? simulation.enable_states() : simulation.enable_displacement_series();
   };
   Simulation stationary(transformed, plan);
   enable_records(stationary);
@@ -580,7 +582,7 @@ transform::Passage estimate_passage(const problem::Problem& problem, const Optio
         sums, [k](const StaySums& s) { return s.excess[k]; }, length));
   }
 
-  start = transform::passage_start(
+  start = transform::passage_start_state(
       transformed, is_energy ? std::numeric_limits<double>::infinity() : displacement, start);
   if (start && is_energy && !is_below(*start, std::get<EnergyLevel>(level))) start.reset();
   if (start) {

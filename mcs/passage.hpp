@@ -25,11 +25,11 @@ namespace fpkcheck::mcs {
 /// result for an energy barrier has no rate of upcrossings.
 /// @param barrier barrier in physical coordinates
 /// @param times times of the survival probabilities
-/// @param start start of Passage::mean_from_point; empty for a start at rest
+/// @param start start of FirstPassageResult::mean_from_point; empty for a start at rest
 /// @throws InputError as make_simulation_plan()
-transform::Passage estimate_passage(const problem::Problem& problem, const Options& options,
-                                    const transform::Barrier& barrier,
-                                    const std::vector<double>& times,
-                                    std::optional<transform::StartState> start = {});
+transform::FirstPassageResult estimate_passage(
+    const problem::Problem& problem, const SimulationOptions& options,
+    const transform::PassageBarrier& barrier, const std::vector<double>& times,
+    std::optional<transform::PassageStartState> start = {});
 
 }  // namespace fpkcheck::mcs

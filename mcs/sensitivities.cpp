@@ -24,10 +24,10 @@ using transform::Status;
 // flights: about 10 s of computing
 constexpr double kTimeShare = 1.0 / 16, kMostDuffingChanges = 1e8, kMostOtherChanges = 4e7;
 
-// Simulates a problem and returns its moments, in the order of kDifferentiatedMoments, of each
-// stream.
+// Simulates a problem and returns the moments of each trajectory stream, in the order of
+// kDifferentiatedMoments.
 std::vector<std::vector<double>> simulate_stream_moments(const problem::Problem& problem,
-                                                         const Options& options,
+                                                         const SimulationOptions& options,
                                                          const SimulationPlan& nominal) {
   // The changed problem has the sampling times and the durations of the original problem, so that
   // the differences between equal streams contain only the effect of the parameter.
@@ -38,7 +38,7 @@ std::vector<std::vector<double>> simulate_stream_moments(const problem::Problem&
   plan.rounds = nominal.rounds;
   Simulation simulation(problem, plan);
   simulation.run_burn_in();
-  for (std::uint64_t round = 0; round < plan.rounds; ++round) simulation.run_round();
+  for (std::uint64_t round = 0; round < plan.rounds; ++round) simulation.run_sampling_round();
   std::vector<std::vector<double>> moments;
   for (const auto& moment : kDifferentiatedMoments) {
     moments.push_back(moment_per_stream(simulation, moment.p, moment.q));
@@ -48,11 +48,11 @@ std::vector<std::vector<double>> simulate_stream_moments(const problem::Problem&
 
 }  // namespace
 
-transform::Sensitivities estimate_sensitivities(
-    const problem::Problem& problem, const Options& options,
-    const std::vector<problem::ParameterDerivative>& parameters) {
+transform::MomentSensitivities estimate_sensitivities(
+    const problem::Problem& problem, const SimulationOptions& options,
+    const std::vector<problem::ParameterDifferenceQuotient>& parameters) {
   const base::Stopwatch stopwatch;
-  transform::Sensitivities result{.id = id(options)};
+  transform::MomentSensitivities result{.id = solution_id(options)};
   result.has_standard_errors = true;
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
@@ -61,7 +61,7 @@ transform::Sensitivities estimate_sensitivities(
     result.status = Status::not_offered;
     return result;
   }
-  Options nominal_options = options;
+  SimulationOptions nominal_options = options;
   SimulationPlan nominal = make_simulation_plan(transformed, nominal_options);
   if (!options.time) {
     const double automatic =
@@ -71,7 +71,7 @@ transform::Sensitivities estimate_sensitivities(
     const double events =
         nominal.oscillator.is_duffing_at_wall() ? kMostDuffingChanges : kMostOtherChanges;
     nominal_options.time =
-        std::min(automatic, events / nominal.event_rate / static_cast<double>(problems));
+        std::min(automatic, events / nominal.expected_event_rate / static_cast<double>(problems));
     nominal = make_simulation_plan(transformed, nominal_options);
   }
 

@@ -12,12 +12,13 @@ namespace fpkcheck::mcs {
 /// Estimates the derivatives of the stationary moments with respect to parameters, by difference
 /// quotients of simulations with common random numbers: the streams of all changed problems draw
 /// the same impulses in the same order, so that most of the sampling error cancels in the
-/// differences of a stream. The standard errors are computed from the differences between streams,
-/// and do not contain the error of the difference quotients, which is of second order in the step.
+/// differences of a trajectory stream. The standard errors are computed from the differences
+/// between streams, and do not contain the error of the difference quotients, which is of second
+/// order in the step.
 /// @param parameters derivatives with steps of about 2 %
 /// @throws InputError as make_simulation_plan()
-transform::Sensitivities estimate_sensitivities(
-    const problem::Problem& problem, const Options& options,
-    const std::vector<problem::ParameterDerivative>& parameters);
+transform::MomentSensitivities estimate_sensitivities(
+    const problem::Problem& problem, const SimulationOptions& options,
+    const std::vector<problem::ParameterDifferenceQuotient>& parameters);
 
 }  // namespace fpkcheck::mcs

@@ -21,7 +21,7 @@ namespace fpkcheck::mcs {
 namespace {
 
 constexpr double kRarest = 1e-10;
-// least number of visits of branches to energies above a threshold
+// least number of visits of trajectory branches to energies above a splitting threshold
 constexpr double kFewestVisits = 1000;
 constexpr int kMostPilots = 30;
 constexpr double kPilotTime = 0.5;  // shortest pilot run, in durations of the burn-in
@@ -37,14 +37,14 @@ numerics::Polynomial splitting_potential(const problem::Problem& problem,
                                          const SimulationPlan& plan) {
   if (plan.oscillator.is_duffing_at_wall()) return problem.system.potential();
   const problem::UndampedOrbits orbits(problem);
-  auto coefficients = orbits.potential().polynomial()->coefficients();
+  auto coefficients = orbits.potential().polynomial_or_null()->coefficients();
   coefficients[0] -= orbits.lowest_potential();
   return numerics::Polynomial(coefficients);
 }
 
 struct SamplingErrors {
   double y_l1, ydot_l1;
-  double target;  ///< largest of the errors that Options::target_error limits
+  double target;  ///< largest of the sampling errors that SimulationOptions::target_error limits
 };
 
 SamplingErrors current_sampling_errors(const Simulation& simulation) {
@@ -68,20 +68,20 @@ struct RunProgress {
   double fraction;  ///< fraction of the required work; may exceed 1
   /// Sampling errors; empty if neither an option nor the caller needs the errors
   std::optional<SamplingErrors> errors;
-  bool goal_reached;  ///< whether Options::samples and Options::target_error are reached
+  bool goal_reached;  ///< whether the requested number of samples and error are reached
 };
 
-RunProgress current_progress(const Simulation& simulation, const Options& options) {
+RunProgress current_progress(const Simulation& simulation, const SimulationOptions& options) {
   RunProgress now{.fraction = static_cast<double>(simulation.round_count()) /
                               static_cast<double>(simulation.plan().rounds),
                   .errors = {},
                   .goal_reached = false};
   if (simulation.round_count() == 0) return now;
   now.goal_reached = options.target_error || options.samples;
-  // With several processes each process has only a part of the streams, from which the errors of
-  // the complete result cannot be computed.
+  // In a simulation by several processes each process has only a part of the trajectory streams,
+  // from which the sampling errors of the complete result cannot be computed.
   if (options.process_group.parts > 1) return now;
-  // With control variates the sampling errors are known only at the end.
+  // In a simulation with control variates the sampling errors are known only at the end.
   if (options.target_error || (options.progress && !options.controlled)) {
     now.errors = current_sampling_errors(simulation);
   }
@@ -97,21 +97,24 @@ RunProgress current_progress(const Simulation& simulation, const Options& option
   return now;
 }
 
-/// Returns the outcome if the simulation must end now; empty if the simulation must continue.
-std::optional<RunOutcome> outcome_if_finished(const Simulation& simulation, const Options& options,
-                                              const RunProgress& now) {
-  if (now.goal_reached) return RunOutcome{};
+/// Returns the outcome of the simulation if the simulation must end now; empty if the simulation
+/// must continue.
+std::optional<SimulationRunOutcome> outcome_if_finished(const Simulation& simulation,
+                                                        const SimulationOptions& options,
+                                                        const RunProgress& now) {
+  if (now.goal_reached) return SimulationRunOutcome{};
   if (simulation.round_count() >= simulation.plan().rounds) {
-    if (!options.target_error && !options.samples) return RunOutcome{};
-    return RunOutcome{.unreached_reason =
-                          "simulated time too short: samples or target error not reached; increase "
-                          "--time"};
+    if (!options.target_error && !options.samples) return SimulationRunOutcome{};
+    return SimulationRunOutcome{
+        .unreached_goal_reason =
+            "simulated time too short: samples or target error not reached; increase "
+            "--time"};
   }
-  if (simulation.round_count() > 0 && is_stop_requested(options)) {
-    return RunOutcome{
-        .unreached_reason = fmt::format("interrupted: only {:.1f} % of the simulation is "
-                                        "complete",
-                                        100 * std::min(now.fraction, 1.0)),
+  if (simulation.round_count() > 0 && is_simulation_stop_requested(options)) {
+    return SimulationRunOutcome{
+        .unreached_goal_reason = fmt::format("interrupted: only {:.1f} % of the simulation is "
+                                             "complete",
+                                             100 * std::min(now.fraction, 1.0)),
         .interrupted = true};
   }
   return std::nullopt;
@@ -119,7 +122,7 @@ std::optional<RunOutcome> outcome_if_finished(const Simulation& simulation, cons
 
 }  // namespace
 
-bool is_stop_requested(const Options& options) {
+bool is_simulation_stop_requested(const SimulationOptions& options) {
   return options.process_group.parts == 1 && options.stop && options.stop();
 }
 
@@ -128,7 +131,7 @@ ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
   const double largest = kLargestEnergy * plan.velocity_deviation * plan.velocity_deviation;
   const numerics::Polynomial potential = splitting_potential(problem, plan);
   SimulationPlan pilot = plan;
-  // with the inverted seed the pilot runs use other random numbers than the simulation
+  // with the inverted seed, pilot runs use random numbers that are independent of the simulation
   pilot.seed = ~plan.seed;
   pilot.samples_per_round =
       static_cast<std::uint64_t>(std::max(kPilotTime * plan.burn_in, kPilotImpulses / plan.streams *
@@ -141,15 +144,16 @@ ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
   for (int n = 0; n < kMostPilots; ++n) {
     const ImportanceSplitting splitting(potential, thresholds, largest);
     simulation.set_splitting(splitting);
-    simulation.run_round();
+    simulation.run_sampling_round();
     std::vector<double> energies(splitting.energy_bins().bin_count() + 2);
-    for (const Stream& stream : simulation.streams()) {
+    for (const TrajectoryStream& stream : simulation.streams()) {
       std::ranges::transform(energies, stream.record.energies, energies.begin(), std::plus{});
     }
-    auto next = choose_energy_thresholds(
-        splitting.energy_bins(), energies,
-        kFewestVisits * std::pow(ImportanceSplitting::kCopies, -splitting.threshold_count()),
-        kRarest);
+    auto next =
+        choose_energy_thresholds(splitting.energy_bins(), energies,
+                                 kFewestVisits * std::pow(ImportanceSplitting::kCopiesPerSplit,
+                                                          -splitting.threshold_count()),
+                                 kRarest);
     const bool further = next.size() > thresholds.size();
     if (further || n == 0) thresholds = std::move(next);
     if (!further) break;
@@ -157,9 +161,10 @@ ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
   return {potential, thresholds, largest};
 }
 
-RunOutcome simulate_until_goal(Simulation& simulation, const Options& options,
-                               CheckpointWriter& checkpoints, const std::string& fingerprint) {
-  checkpoints.write(fingerprint, simulation);
+SimulationRunOutcome simulate_until_goal(Simulation& simulation, const SimulationOptions& options,
+                                         CheckpointWriter& checkpoints,
+                                         const std::string& fingerprint) {
+  checkpoints.write_checkpoint_now(fingerprint, simulation);
   for (bool first = true;; first = false) {
     const RunProgress now = current_progress(simulation, options);
     if (options.progress && !first) {
@@ -171,11 +176,11 @@ RunOutcome simulate_until_goal(Simulation& simulation, const Options& options,
       options.progress(at);
     }
     if (auto end = outcome_if_finished(simulation, options, now)) {
-      checkpoints.write_final(fingerprint, simulation);
+      checkpoints.write_final_checkpoint(fingerprint, simulation);
       return *std::move(end);
     }
-    simulation.run_round();
-    checkpoints.write_when_due(fingerprint, simulation);
+    simulation.run_sampling_round();
+    checkpoints.write_checkpoint_when_due(fingerprint, simulation);
   }
 }
 

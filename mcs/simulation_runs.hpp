@@ -17,21 +17,23 @@ namespace fpkcheck::mcs {
 ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
                                                 const SimulationPlan& plan);
 
-/// Returns whether Options::stop requests the end of the simulation. With several processes the
-/// result is false, since all processes must simulate an equal time. A stop request then ends the
-/// process.
-bool is_stop_requested(const Options& options);
+/// Returns whether SimulationOptions::stop requests the end of the simulation. In a simulation by
+/// several processes the result is false, since all processes must simulate an equal time. A stop
+/// request then ends the process.
+bool is_simulation_stop_requested(const SimulationOptions& options);
 
-struct RunOutcome {
-  /// Reason why the goal was not reached, in one sentence; empty if the goal was reached
-  std::string unreached_reason{};
+struct SimulationRunOutcome {
+  /// Reason why the requested accuracy or number of samples was not reached, in one sentence; empty
+  /// if the goal was reached
+  std::string unreached_goal_reason{};
   bool interrupted = false;
 };
 
 /// Simulates round by round until the requested time, samples or error are reached, or until
-/// Options::stop returns true. Writes checkpoints and reports progress between rounds.
+/// SimulationOptions::stop returns true. Writes checkpoints and reports progress between rounds.
 /// @param fingerprint text that simulation_fingerprint() returns, for the checkpoints
-RunOutcome simulate_until_goal(Simulation& simulation, const Options& options,
-                               CheckpointWriter& checkpoints, const std::string& fingerprint);
+SimulationRunOutcome simulate_until_goal(Simulation& simulation, const SimulationOptions& options,
+                                         CheckpointWriter& checkpoints,
+                                         const std::string& fingerprint);
 
 }  // namespace fpkcheck::mcs

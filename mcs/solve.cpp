@@ -27,9 +27,10 @@ namespace {
 
 using transform::StateVariable;
 
-void set_moments(const Simulation& simulation, const StreamWeights& weights, Result& result) {
+void set_moments(const Simulation& simulation, const StreamWeights& weights,
+                 SimulationResult& result) {
   auto& [solution, summary] = result;
-  for (const auto& [p, q] : kPowers) {
+  for (const auto& [p, q] : kRecordedMomentPowers) {
     summary.joint_moments.push_back(weights.estimate_mean(moment_per_stream(simulation, p, q)));
   }
   const MomentEstimates estimates = estimate_moments(simulation, weights);
@@ -38,8 +39,8 @@ void set_moments(const Simulation& simulation, const StreamWeights& weights, Res
 }
 
 double mean_damping_power(const problem::System& system, const Simulation& simulation,
-                          const StreamStatistics& r) {
-  // The restoring force has the mean power 0.
+                          const TrajectoryStreamStatistics& r) {
+  // In the stationary state the restoring force has the mean power 0.
   if (!system.has_polynomial_force()) return r.force_v / simulation.expected_samples_per_stream();
   const auto& c = system.damping_polynomial();
   return c.coefficient(0) * moment_in_wall_coordinates(simulation, r, 0, 2) +
@@ -48,7 +49,7 @@ double mean_damping_power(const problem::System& system, const Simulation& simul
          system.rayleigh_coefficient() * moment_in_wall_coordinates(simulation, r, 0, 4);
 }
 
-/// Returns the energy lost per unit time at a wall, from StreamStatistics::left_energy or
+/// Returns the energy lost per unit time at a wall, from TrajectoryStreamStatistics::left_energy or
 /// right_energy.
 double impact_loss_rate(const std::optional<problem::Wall>& wall, const Simulation& simulation,
                         double energy_sum) {
@@ -57,8 +58,8 @@ double impact_loss_rate(const std::optional<problem::Wall>& wall, const Simulati
   return problem::impact_energy_loss_rate(wall, problem::ImpactCondition::exact, rate);
 }
 
-/// Returns the momentum per unit time from a wall, from StreamStatistics::left_momentum or
-/// right_momentum.
+/// Returns the momentum per unit time from a wall, from TrajectoryStreamStatistics::left_momentum
+/// or right_momentum.
 double impact_momentum_rate(const std::optional<problem::Wall>& wall, const Simulation& simulation,
                             double momentum_sum) {
   const double rate = momentum_sum / simulation.simulated_time_per_stream();
@@ -68,7 +69,7 @@ double impact_momentum_rate(const std::optional<problem::Wall>& wall, const Simu
 
 problem::PowerBalanceTerms power_balance_terms(const problem::Problem& problem,
                                                const Simulation& simulation,
-                                               const StreamStatistics& r) {
+                                               const TrajectoryStreamStatistics& r) {
   const problem::System& system = problem.system;
   problem::PowerBalanceTerms terms{
       .mean_velocity = moment_in_wall_coordinates(simulation, r, 0, 1),
@@ -86,7 +87,7 @@ problem::PowerBalanceTerms power_balance_terms(const problem::Problem& problem,
 }
 
 void estimate_impacts(const problem::Problem& problem, const Simulation& simulation,
-                      const StreamWeights& weights, Result& result) {
+                      const StreamWeights& weights, SimulationResult& result) {
   result.summary.impacts_accumulate = simulation.plan().has_contact_atoms;
   result.summary.impact_rate =
       weights.estimate_mean(statistic_per_stream(simulation.streams(), [&](const auto& r) {
@@ -98,8 +99,8 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
     }));
   };
   // The weighted mean over the streams estimates a quantity that is linear in the averages of the
-  // streams. With factors of noise or impulses, only the difference of input and dissipation is
-  // linear.
+  // trajectory streams. Under state-dependent noise or impulses only the difference of input power
+  // and dissipated power is linear in the averages.
   MeanEstimate residual{};
   if (problem.noise_factor || problem.impulse_factor) {
     residual = estimate_of_streams([&](const problem::PowerBalanceTerms& terms) {
@@ -120,42 +121,42 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
   result.solution.standard_errors->energy_residual = residual.standard_error;
 }
 
-/// Sets the residuals of the virial and momentum balances. The residuals are linear in the averages
-/// and therefore have no sampling bias. The residual of each balance is divided by the scale of the
-/// balance, averaged over all streams.
+/// Sets the residuals of the virial and momentum balances. The residuals of the virial and momentum
+/// balances are linear in the averages, and therefore have no sampling bias. The residual of each
+/// balance is divided by the scale of the balance, averaged over all streams.
 void estimate_balances(const problem::Problem& problem, const Simulation& simulation,
-                       const StreamWeights& weights, Summary& summary) {
+                       const StreamWeights& weights, SimulationSummary& summary) {
   const problem::System& system = problem.system;
   // The mean force and the mean virial of a formula include the damping force.
-  const auto mean_force = [&](const StreamStatistics& r) {
+  const auto mean_force = [&](const TrajectoryStreamStatistics& r) {
     return system.has_polynomial_force()
                ? mean_of_polynomial_in_y(simulation, r, system.restoring_force())
                : r.force / simulation.expected_samples_per_stream();
   };
-  const auto mean_virial = [&](const StreamStatistics& r) {
+  const auto mean_virial = [&](const TrajectoryStreamStatistics& r) {
     return system.has_polynomial_force()
                ? mean_of_polynomial_in_y(simulation, r,
                                          system.restoring_force().multiplied_by_argument())
                : r.force_y / simulation.expected_samples_per_stream();
   };
-  const Oscillator& o = simulation.plan().oscillator;
-  const auto right_momentum = [&](const StreamStatistics& r) {
+  const SimulatedOscillator& o = simulation.plan().oscillator;
+  const auto right_momentum = [&](const TrajectoryStreamStatistics& r) {
     return impact_momentum_rate(system.right_wall(), simulation, r.right_momentum);
   };
-  // Mean contact force of the mass at rest, 0 without atoms. The sums over impacts already include
-  // the momentum of accumulating impacts.
-  const auto contact_force_at_rest = [&](const StreamStatistics& r) {
+  // Mean contact force on the mass at rest at a wall; 0 without atoms of the stationary law. The
+  // momentum sums over impacts already include accumulating impacts.
+  const auto contact_force_at_rest = [&](const TrajectoryStreamStatistics& r) {
     return (o.left.contact_force * r.rest_left - o.right.contact_force * r.rest_right) /
            simulation.expected_samples_per_stream();
   };
   // Virial of the contact force that holds the mass at rest on the right wall, y = b.
-  const auto virial_at_rest = [&](const StreamStatistics& r) {
+  const auto virial_at_rest = [&](const TrajectoryStreamStatistics& r) {
     return o.right.position * std::max(o.right.contact_force, 0.0) * r.rest_right /
            simulation.expected_samples_per_stream();
   };
   const auto set = [&](auto balance, std::optional<double> transform::BalanceResiduals::*member) {
     const auto difference = weights.estimate_mean(statistic_per_stream(
-        simulation.streams(), [&](const auto& r) { return balance(r).difference(); }));
+        simulation.streams(), [&](const auto& r) { return balance(r).side_difference(); }));
     const double scale =
         weights
             .estimate_mean(statistic_per_stream(simulation.streams(),
@@ -165,7 +166,7 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
     summary.balance_errors.*member = difference.standard_error / scale;
   };
   set(
-      [&](const StreamStatistics& r) {
+      [&](const TrajectoryStreamStatistics& r) {
         return problem::virial_balance(
             problem, {.mean_displacement = moment_in_wall_coordinates(simulation, r, 1, 0),
                       .mean_square_velocity = moment_in_wall_coordinates(simulation, r, 0, 2),
@@ -175,7 +176,7 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
       },
       &transform::BalanceResiduals::virial);
   set(
-      [&](const StreamStatistics& r) {
+      [&](const TrajectoryStreamStatistics& r) {
         return problem::momentum_balance(
             problem, {.mean_force = mean_force(r),
                       .left_impact_momentum =
@@ -187,8 +188,8 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
       &transform::BalanceResiduals::momentum);
 }
 
-/// Compares the drawn impulses with the impulse law, without the weights of the streams.
-void estimate_excess_power(const Simulation& simulation, Summary& summary) {
+/// Compares the drawn impulses with the impulse law, without the weights of the trajectory streams.
+void estimate_excess_power(const Simulation& simulation, SimulationSummary& summary) {
   const auto excess = estimate_unweighted_mean(excess_impulse_power_per_stream(simulation));
   const double input = simulation.plan().excitation.power;
   summary.excess_power = excess.mean / input;
@@ -197,7 +198,7 @@ void estimate_excess_power(const Simulation& simulation, Summary& summary) {
 
 /// Sets the effective numbers of samples of the plain stream averages, and the factors by which the
 /// weights (StreamWeights) reduce the variances.
-void estimate_efficiency(const Simulation& simulation, Result& result) {
+void estimate_efficiency(const Simulation& simulation, SimulationResult& result) {
   const auto reduction = [&](int p, int q, double error) {
     const double ratio =
         estimate_unweighted_mean(moment_per_stream(simulation, p, q)).standard_error / error;
@@ -215,7 +216,7 @@ void estimate_efficiency(const Simulation& simulation, Result& result) {
 double outside_fraction(const Simulation& simulation, const StreamWeights& weights) {
   const SimulationPlan& plan = simulation.plan();
   const auto beyond =
-      statistic_per_stream(simulation.streams(), [&](const StreamStatistics& record) {
+      statistic_per_stream(simulation.streams(), [&](const TrajectoryStreamStatistics& record) {
         const auto rows = record.histogram.row_sums();
         const double all = std::accumulate(rows.begin(), rows.end(), 0.0);
         double inside = 0;
@@ -231,10 +232,10 @@ double outside_fraction(const Simulation& simulation, const StreamWeights& weigh
 void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
                     transform::Solution& solution) {
   if (!simulation.plan().has_contact_atoms) return;
-  const auto add = [&](const Wall& wall, double StreamStatistics::*rest) {
-    if (!(wall.is_lossy() && wall.contact_force > 0)) return;
+  const auto add = [&](const SimulatedWall& wall, double TrajectoryStreamStatistics::*rest) {
+    if (!(wall.has_impact_losses() && wall.contact_force > 0)) return;
     const MeanEstimate p = weights.estimate_mean(
-        statistic_per_stream(simulation.streams(), [&](const StreamStatistics& r) {
+        statistic_per_stream(simulation.streams(), [&](const TrajectoryStreamStatistics& r) {
           return r.*rest / simulation.expected_samples_per_stream();
         }));
     solution.atoms.push_back({.y = wall.position,
@@ -242,12 +243,12 @@ void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
                               .standard_error = p.standard_error,
                               .error_estimate = {}});
   };
-  add(simulation.plan().oscillator.left, &StreamStatistics::rest_left);
-  add(simulation.plan().oscillator.right, &StreamStatistics::rest_right);
+  add(simulation.plan().oscillator.left, &TrajectoryStreamStatistics::rest_left);
+  add(simulation.plan().oscillator.right, &TrajectoryStreamStatistics::rest_right);
 }
 
 void estimate_densities(const Simulation& simulation, const StreamWeights& weights,
-                        Result& result) {
+                        SimulationResult& result) {
   auto& solution = result.solution;
   auto& summary = result.summary;
   const auto marginal = [&](StateVariable variable) {
@@ -256,7 +257,7 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
     return l1_sampling_error(estimate.errors);
   };
   const L1SamplingError y = marginal(StateVariable::y), ydot = marginal(StateVariable::ydot);
-  solution.sampling = transform::SamplingError{
+  solution.sampling = transform::MarginalSamplingErrors{
       .y = y.expected, .ydot = ydot.expected, .y_99 = y.quantile_99, .ydot_99 = ydot.quantile_99};
   auto joint = estimate_joint_density(simulation, weights);
   estimate_atoms(simulation, weights, solution);
@@ -265,8 +266,8 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   solution.density = std::move(joint.density);
   summary.joint_standard_errors = std::move(joint.standard_errors);
   summary.outside_fraction = outside_fraction(simulation, weights);
-  // If the law has atoms, the distribution function has jumps, which the interpolation does not
-  // resolve.
+  // If the stationary law has atoms, the distribution function of y has jumps, which the
+  // interpolation of quantiles does not resolve.
   if (solution.atoms.empty()) {
     summary.y_quantiles = estimate_quantiles(simulation, weights, StateVariable::y);
     summary.v_quantiles = estimate_quantiles(simulation, weights, StateVariable::ydot);
@@ -275,12 +276,12 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   // The peaks are not estimated in two cases: white noise causes infinitely many maxima, and in a
   // mirrored frame the counted maxima are minima of y.
   const SimulationPlan& plan = simulation.plan();
-  if (!plan.kicks.is_present() && !plan.frame.mirrored) {
+  if (!plan.kicks.is_acting() && !plan.frame.mirrored) {
     summary.peaks = estimate_peak_rates(simulation, weights);
   }
 }
 
-void fill_summary(const Simulation& simulation, Summary& summary) {
+void fill_summary(const Simulation& simulation, SimulationSummary& summary) {
   const SimulationPlan& plan = simulation.plan();
   summary.time = simulation.simulated_time_per_stream() * plan.streams;
   summary.samples =
@@ -290,24 +291,24 @@ void fill_summary(const Simulation& simulation, Summary& summary) {
   summary.threads = plan.threads;
   summary.streams = plan.streams;
   summary.step = plan.step;
-  if (plan.excitation.arrivals == Excitation::Arrivals::even) {
+  if (plan.excitation.arrivals == ImpulseProcess::Arrivals::even) {
     summary.kick_interval = plan.excitation.interval;
   }
-  if (plan.kicks.is_present()) {
+  if (plan.kicks.is_acting()) {
     summary.kick_interval = plan.kicks.longest_interval;
   }
   summary.burn_in = plan.burn_in;
   summary.rounds = simulation.round_count();
-  for (const Stream& stream : simulation.streams()) {
+  for (const TrajectoryStream& stream : simulation.streams()) {
     summary.impulses += stream.record.impulses;
     summary.flights += stream.record.flights;
   }
 }
 
-std::vector<StreamDeposit> stream_deposits(const Simulation& simulation) {
-  std::vector<StreamDeposit> all;
-  for (const Stream& stream : simulation.streams()) {
-    const StreamStatistics& record = stream.record;
+std::vector<DepositOfOneStream> stream_deposits(const Simulation& simulation) {
+  std::vector<DepositOfOneStream> all;
+  for (const TrajectoryStream& stream : simulation.streams()) {
+    const TrajectoryStreamStatistics& record = stream.record;
     all.push_back({.sums = record.deposit,
                    .samples = record.samples,
                    .time = simulation.simulated_time_per_stream(),
@@ -317,15 +318,16 @@ std::vector<StreamDeposit> stream_deposits(const Simulation& simulation) {
   return all;
 }
 
-/// @param unreached_reason reason why the simulation did not reach its goal, or empty
-void set_status(const SimulationPlan& plan, const Options& options, const Summary& summary,
-                transform::Solution& solution, const std::string& unreached_reason) {
+/// @param unreached_goal_reason reason why the simulation did not reach its goal, or empty
+void set_status(const SimulationPlan& plan, const SimulationOptions& options,
+                const SimulationSummary& summary, transform::Solution& solution,
+                const std::string& unreached_goal_reason) {
   constexpr std::uint64_t kFewestImpulses = 10;  // least number of impulses per stream
   const transform::Moments& m = solution.moments;
   const bool finite = std::isfinite(m.y1 + m.y2 + m.y4 + m.v1 + m.v2 + m.v4);
   solution.status =
-      unreached_reason.empty() ? transform::Status::ok : transform::Status::not_converged;
-  solution.reason = unreached_reason;
+      unreached_goal_reason.empty() ? transform::Status::ok : transform::Status::not_converged;
+  solution.reason = unreached_goal_reason;
   const auto streams = static_cast<std::uint64_t>(summary.streams);
   if (plan.short_burn_in_cause != ShortBurnInCause::none) {
     solution.status = transform::Status::not_converged;
@@ -346,7 +348,8 @@ void set_status(const SimulationPlan& plan, const Options& options, const Summar
   }
 }
 
-void fill_result(const problem::Problem& problem, const Simulation& simulation, Result& result) {
+void fill_result(const problem::Problem& problem, const Simulation& simulation,
+                 SimulationResult& result) {
   const StreamWeights weights(excess_impulse_power_per_stream(simulation));
   result.solution.standard_errors.emplace();
   set_moments(simulation, weights, result);
@@ -358,7 +361,7 @@ void fill_result(const problem::Problem& problem, const Simulation& simulation, 
   fill_summary(simulation, result.summary);
 }
 
-void require_options_for_processes(const Options& options) {
+void require_options_for_processes(const SimulationOptions& options) {
   if (options.process_group.parts == 1) return;
   const auto refuse = [](bool given, const char* option) {
     if (!given) return;
@@ -374,10 +377,10 @@ void require_options_for_processes(const Options& options) {
 
 /// Collects the streams of all processes in the first process.
 /// @return whether this process is the first process
-bool gather_streams(const ProcessGroup& process_group, Simulation& simulation) {
+bool gather_streams(const SimulationProcessGroup& process_group, Simulation& simulation) {
   if (process_group.parts == 1) return true;
   std::ostringstream own;
-  if (process_group.part > 0) simulation.save_own_streams(own);
+  if (process_group.part > 0) simulation.save_streams_of_this_process(own);
   const auto others = process_group.gather(own.str());
   for (std::size_t k = 0; k < others.size(); ++k) {
     std::istringstream part(others[k]);
@@ -388,23 +391,23 @@ bool gather_streams(const ProcessGroup& process_group, Simulation& simulation) {
 
 /// Runs a simulation with twice the interval between noise kicks, for half of the simulated time.
 /// @return whether the simulation is complete; false after a stop request
-bool run_with_doubled_kick_interval(const Simulation& simulation, const Options& options,
+bool run_with_doubled_kick_interval(const Simulation& simulation, const SimulationOptions& options,
                                     Simulation& doubled) {
   doubled.restrict_to_streams_of_part(options.process_group.part, options.process_group.parts);
   doubled.run_burn_in();
   const std::uint64_t rounds = (simulation.round_count() + 1) / 2;
   while (doubled.round_count() < rounds) {
-    if (is_stop_requested(options)) return false;
-    doubled.run_round();
+    if (is_simulation_stop_requested(options)) return false;
+    doubled.run_sampling_round();
   }
   return true;
 }
 
 }  // namespace
 
-void require_accuracy(const Options& options, transform::Solution& solution) {
-  const auto& sampling = transform::best_sampling_error(solution);
-  if (!solution.is_ok() || !sampling) return;
+void require_accuracy(const SimulationOptions& options, transform::Solution& solution) {
+  const auto& sampling = transform::smallest_known_sampling_errors(solution);
+  if (!solution.has_status_ok() || !sampling) return;
   const double y = sampling->y_99.value_or(0), ydot = sampling->ydot_99.value_or(0);
   const transform::ErrorEstimate bias = solution.error.value_or(transform::ErrorEstimate{});
   if (y + bias.y_l1 <= options.accuracy && ydot + bias.ydot_l1 <= options.accuracy) return;
@@ -426,17 +429,18 @@ void require_accuracy(const Options& options, transform::Solution& solution) {
       by_interval, by_interval > by_chance ? "reduce --white-step" : "increase --time");
 }
 
-void require_solvable(const problem::Problem& problem, const Options& options) {
+void require_solvable(const problem::Problem& problem, const SimulationOptions& options) {
   [[maybe_unused]] const SimulationPlan plan = make_simulation_plan(problem, options);
   require_options_for_processes(options);
 }
 
-Result solve(const problem::Problem& problem, const Options& options) {
+SimulationResult simulate_stationary_density(const problem::Problem& problem,
+                                             const SimulationOptions& options) {
   const base::Stopwatch stopwatch;
-  Result result;
+  SimulationResult result;
   auto& solution = result.solution;
   auto& summary = result.summary;
-  solution.identity = identity(options);
+  solution.identity = solution_identity(options);
   const SimulationPlan plan = make_simulation_plan(problem, options);
   require_options_for_processes(options);
   // Evenly spaced kicks would lift the mass off the wall after each interval. The simulated density
@@ -458,7 +462,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   } else {
     read_checkpoint(options.resume, fingerprint, simulation);
   }
-  auto [unreached_reason, interrupted] =
+  auto [unreached_goal_reason, interrupted] =
       simulate_until_goal(simulation, options, checkpoints, fingerprint);
 
   const auto doubled_plan = plan_with_doubled_kick_interval(problem, plan);
@@ -467,7 +471,8 @@ Result solve(const problem::Problem& problem, const Options& options) {
     doubled.emplace(problem, *doubled_plan);
     if (!run_with_doubled_kick_interval(simulation, options, *doubled)) {
       interrupted = true;
-      unreached_reason = "interrupted: the error of the interval between noise kicks is incomplete";
+      unreached_goal_reason =
+          "interrupted: the error of the interval between noise kicks is incomplete";
       doubled.reset();
     }
   }
@@ -484,13 +489,13 @@ Result solve(const problem::Problem& problem, const Options& options) {
   if (plan.deposit) summary.deposits = stream_deposits(simulation);
   if (splitting) {
     summary.thresholds = splitting->thresholds();
-    if (summary.thresholds.empty() && unreached_reason.empty()) {
-      unreached_reason =
+    if (summary.thresholds.empty() && unreached_goal_reason.empty()) {
+      unreached_goal_reason =
           "no splitting thresholds: too few impulses in the pilot runs; omit --tails, or "
           "increase --streams";
     }
   }
-  set_status(plan, options, summary, solution, unreached_reason);
+  set_status(plan, options, summary, solution, unreached_goal_reason);
   if (!options.controlled) require_accuracy(options, solution);
   solution.metrics = metrics(summary);
   solution.seconds = stopwatch.seconds();

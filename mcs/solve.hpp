@@ -10,13 +10,13 @@ struct Problem;
 
 namespace fpkcheck::mcs {
 
-struct Result {
+struct SimulationResult {
   /// Joint density as a GridDensity from the histogram, and the marginal densities of y and y' on
-  /// the same edges with 95 % intervals. The densities are normalised by the number of all samples:
-  /// `mass` is 1 minus the fraction of samples outside the histogram. Moments are sample averages,
-  /// not moments of the histogram.
+  /// the same edges with 95 % intervals. The estimated densities are normalised by the number of
+  /// all samples: `mass` is 1 minus the fraction of samples outside the histogram. Estimated
+  /// moments are averages over samples, not moments of the histogram.
   transform::Solution solution;
-  Summary summary;
+  SimulationSummary summary;
 };
 
 /// Simulates `options.streams` independent realisations and averages the realisations with the
@@ -28,23 +28,25 @@ struct Result {
 /// Problems, densities, marginal densities and atoms are in wall coordinates (problem/walls.hpp).
 /// Moments, quantiles and crossing levels are in physical coordinates.
 ///
-/// A seed gives the same result, bit for bit, for any number of threads, SIMD lanes and
+/// A random seed determines the result bit for bit, for any number of threads, SIMD lanes and
 /// interruptions. The status is not_converged if the simulation ends before its goal, or if the
 /// burn-in is below 5 decay times (ShortBurnInCause). The status is failed, without a density, for
 /// white noise with a restitution coefficient at which impacts accumulate
 /// (problem/problem_features.hpp).
 /// @throws InputError as make_simulation_plan(), and for a checkpoint file that cannot be read or
 /// written
-Result solve(const problem::Problem& problem, const Options& options);
+SimulationResult simulate_stationary_density(const problem::Problem& problem,
+                                             const SimulationOptions& options);
 
 /// Sets the status `inaccurate` if the 99 % quantile of the L1 sampling error of an ok solution
-/// exceeds Options::accuracy. With Options::controlled control_variates::solve() calls this
-/// function after the estimates in smooth bins; otherwise solve() calls this function.
-void require_accuracy(const Options& options, transform::Solution& solution);
+/// exceeds SimulationOptions::accuracy. With SimulationOptions::controlled
+/// control_variates::simulate_with_control_variates() calls this function after the estimates in
+/// smooth bins; otherwise simulate_stationary_density() calls this function.
+void require_accuracy(const SimulationOptions& options, transform::Solution& solution);
 
-/// Throws an exception if solve() would refuse the options or the problem. Checkpoint files are not
-/// checked.
-/// @throws InputError as solve()
-void require_solvable(const problem::Problem& problem, const Options& options);
+/// Throws an exception if simulate_stationary_density() would refuse the options or the problem.
+/// Checkpoint files are not checked.
+/// @throws InputError as simulate_stationary_density()
+void require_solvable(const problem::Problem& problem, const SimulationOptions& options);
 
 }  // namespace fpkcheck::mcs

@@ -26,18 +26,19 @@ namespace {
 using transform::Status;
 constexpr double kPi = std::numbers::pi;
 
-// Ratio of the Nyquist frequency to the largest frequency. At a decrease as w^-4 the alias of the
-// largest frequency is then 3e-5 of its density (alias_density()).
+// Ratio of the Nyquist frequency of the samples to the largest requested frequency. If the spectral
+// density decreases as w^-4, the alias at the largest frequency is then 3e-5 of the density
+// (alias_density()).
 constexpr double kOversampling = 8;
-// Length of the segments in decay times of the slowest mode. At the peak of a lightly damped
-// oscillator, whose half-width is the decay rate, Hann's window then lowers the density by
-// 4 pi^2/(3 kLength^2), 0.13 %.
+// Length of the periodogram segments, in decay times of the slowest mode. At the peak of a lightly
+// damped oscillator, whose half-width is the decay rate, Hann's window then lowers the density by 4
+// pi^2/(3 kLength^2), 0.13 %.
 constexpr double kLength = 100;
 constexpr std::size_t kShortest = 256, kLongest = 1 << 18;  // samples of a segment
 // Length of all segments in a run with automatic time, which gives standard errors of about 1.5 %
 constexpr double kSegments = 2500;
 // Largest number of impulses, kicks and flights of the default simulation, about 8 s of computing.
-// A sample takes the computing time of kEventsPerSample events.
+// Recording a sample takes the computing time of kEventsPerSample events of the motion.
 constexpr double kMostSpectrumEvents = 4e7, kEventsPerSample = 0.25;
 
 // Squared magnitudes of the windowed Fourier transform, as a one-sided spectral density at the
@@ -108,15 +109,16 @@ double interpolate_density(const std::vector<double>& density, double step, doub
   return (1 - weight) * density[k] + weight * density[k + 1];
 }
 
-// Sums of the periodograms of one stream
+// Sums of the periodograms of one trajectory stream
 struct StreamSpectrum {
-  // sums over segments of the whole length, and over segments of half the length
+  // sums of periodograms over segments of the whole length, and over segments of half the length
   std::vector<double> whole = {}, half = {};
   std::size_t segments = 0;
 };
 
 // Adds the periodograms of the complete segments of a series to the sums, and removes the samples
-// that no later segment needs. Each segment begins in the middle of the previous segment.
+// that no later segment needs. Each segment of a series begins in the middle of the previous
+// segment.
 void add_complete_segments(std::size_t length, double centre, Periodogram& whole, Periodogram& half,
                            std::vector<double>& series, StreamSpectrum& spectrum) {
   std::size_t begin = 0;
@@ -139,27 +141,27 @@ double alias_density(double c, double nyquist, double w) {
   return c * sum;
 }
 
-// Returns the mean of all samples of the series.
+// Returns the mean of all samples in the displacement series.
 double mean_of_series(Simulation& simulation) {
   double sum = 0, samples = 0;
   for (std::size_t s = 0; s < simulation.streams().size(); ++s) {
-    for (const double y : simulation.y_series(s)) sum += y;
-    samples += static_cast<double>(simulation.y_series(s).size());
+    for (const double y : simulation.displacement_series(s)) sum += y;
+    samples += static_cast<double>(simulation.displacement_series(s).size());
   }
   return sum / samples;
 }
 
 // Sets the autocovariance at lags up to a quarter of the segment length: the Fourier transform of
 // the averaged periodograms, divided by the autocorrelation of the window. Cubic polynomials
-// interpolate between the samples. The error contains the part of the variance above the Nyquist
-// frequency, from the decrease C w^-4 of the density of y.
+// interpolate the autocovariance between the sampled lags. The error contains the part of the
+// variance above the Nyquist frequency, from the decrease C w^-4 of the density of y.
 // @param constant function of k: spectral density of the constant E[y] - centre at frequency k
 // @param tail constant C
 template <class Constant>
 void add_autocovariance(const std::vector<double>& lags, Periodogram& periodogram,
                         const std::vector<StreamSpectrum>& sums, const Constant& constant,
                         const StreamWeights& weights, double tail, double nyquist,
-                        transform::Spectrum& spectrum) {
+                        transform::SpectralDensity& spectrum) {
   constexpr std::size_t kNodes = 4;
   const bool of_y = spectrum.variable == transform::StateVariable::y;
   const double step = periodogram.frequency_step();
@@ -214,12 +216,13 @@ std::size_t choose_segment_length(double decay_rate, double interval) {
 
 }  // namespace
 
-transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Options& options,
-                                      transform::StateVariable variable,
-                                      const std::vector<double>& frequencies,
-                                      const std::vector<double>& lags) {
+transform::SpectralDensity estimate_spectrum(const problem::Problem& problem,
+                                             const SimulationOptions& options,
+                                             transform::StateVariable variable,
+                                             const std::vector<double>& frequencies,
+                                             const std::vector<double>& lags) {
   const base::Stopwatch stopwatch;
-  transform::Spectrum spectrum{.id = id(options), .variable = variable};
+  transform::SpectralDensity spectrum{.id = solution_id(options), .variable = variable};
   spectrum.frequencies = frequencies;
   spectrum.has_standard_errors = true;
   const problem::Problem transformed =
@@ -236,25 +239,27 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
   const std::size_t length =
       choose_segment_length(scales.slowest_decay_rate, plan.sampling_interval);
   plan.samples_per_round = length / 2;
-  const double time = options.time.value_or(std::min(
-      kSegments * static_cast<double>(length) * plan.sampling_interval,
-      kMostSpectrumEvents / (plan.event_rate + kEventsPerSample / plan.sampling_interval)));
+  const double time = options.time.value_or(
+      std::min(kSegments * static_cast<double>(length) * plan.sampling_interval,
+               kMostSpectrumEvents /
+                   (plan.expected_event_rate + kEventsPerSample / plan.sampling_interval)));
   plan.rounds = static_cast<std::uint64_t>(
       std::max(4.0, std::ceil(time / (plan.streams * plan.round_time()))));
 
   Simulation simulation(transformed, plan);
-  simulation.enable_series();
+  simulation.enable_displacement_series();
   simulation.run_burn_in();
   const auto streams = static_cast<std::size_t>(plan.streams);
   std::vector<StreamSpectrum> sums(streams);
   double centre = 0;
   for (std::uint64_t round = 0; round < plan.rounds; ++round) {
-    simulation.run_round();
+    simulation.run_sampling_round();
     if (round == 0) centre = mean_of_series(simulation);
     base::parallel_for(static_cast<std::size_t>(plan.threads), plan.threads, [&](std::size_t part) {
       Periodogram whole(length, plan.sampling_interval), half(length / 2, plan.sampling_interval);
       for (std::size_t s = part; s < streams; s += static_cast<std::size_t>(plan.threads)) {
-        add_complete_segments(length, centre, whole, half, simulation.y_series(s), sums[s]);
+        add_complete_segments(length, centre, whole, half, simulation.displacement_series(s),
+                              sums[s]);
       }
     });
     if (options.progress) {
@@ -265,7 +270,7 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
   const StreamWeights weights(excess_impulse_power_per_stream(simulation));
   const auto moment = [&](int p, int q) {
     return weights.estimate_mean(
-        statistic_per_stream(simulation.streams(), [&](const StreamStatistics& record) {
+        statistic_per_stream(simulation.streams(), [&](const TrajectoryStreamStatistics& record) {
           return moment_in_wall_coordinates(simulation, record, p, q);
         }));
   };
@@ -276,8 +281,8 @@ transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Opt
   spectrum.variance_error =
       std::hypot(second.standard_error, 2 * first.mean * first.standard_error);
 
-  // Returns the density at a frequency from segments of one length. The density of the constant
-  // E[y] - centre, which the segments contain, is subtracted.
+  // Returns the spectral density at a frequency, from periodogram segments of one length. The
+  // density of the constant E[y] - centre, which the segments contain, is subtracted.
   const double mean_y = moment(1, 0).mean;
   const auto estimate = [&](double w, const Periodogram& periodogram,
                             std::vector<double> StreamSpectrum::*of, double pieces) {

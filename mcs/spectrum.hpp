@@ -9,9 +9,10 @@
 namespace fpkcheck::mcs {
 
 /// Estimates the one-sided spectral density of y or y' by Welch's method: periodograms of
-/// half-overlapping segments of y with Hann's window, averaged over all segments of a stream and
-/// over the streams with StreamWeights. The spectrum of y' is computed as w^2 times the spectrum of
-/// y: the spectrum of samples of y' decreases only as w^-2 and would have a large alias.
+/// half-overlapping segments of y with Hann's window, averaged over all segments of a trajectory
+/// stream and over the streams with StreamWeights. The spectrum of y' is computed as w^2 times the
+/// spectrum of y: the spectrum of samples of y' decreases only as w^-2 and would have a large
+/// alias.
 ///
 /// The errors are standard errors from the differences between streams, combined with two estimates
 /// of the bias: the alias, from the decrease G(w) ~ w^-4 above the largest frequency, and the
@@ -21,9 +22,10 @@ namespace fpkcheck::mcs {
 /// @param frequencies increasing angular frequencies w >= 0
 /// @param lags increasing times t >= 0 of the autocovariance R(t)
 /// @throws InputError as make_simulation_plan()
-transform::Spectrum estimate_spectrum(const problem::Problem& problem, const Options& options,
-                                      transform::StateVariable variable,
-                                      const std::vector<double>& frequencies,
-                                      const std::vector<double>& lags = {});
+transform::SpectralDensity estimate_spectrum(const problem::Problem& problem,
+                                             const SimulationOptions& options,
+                                             transform::StateVariable variable,
+                                             const std::vector<double>& frequencies,
+                                             const std::vector<double>& lags = {});
 
 }  // namespace fpkcheck::mcs

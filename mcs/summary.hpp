@@ -13,17 +13,19 @@
 
 namespace fpkcheck::mcs {
 
-/// Deposited sums of one stream, and the numbers by which the sums are divided.
-struct StreamDeposit {
-  DepositedSums sums;
+/// Sums over the deposited samples of one trajectory stream, and the numbers of samples and impacts
+/// that normalise the sums.
+struct DepositOfOneStream {
+  DepositedSampleSums sums;
   double samples = 0;  ///< number of samples N, the divisor of the sums
   double time = 0;     ///< simulated time T of the stream
   double impacts = 0;
-  std::array<double, kPowers.size()> powers{};  ///< sums of y^p y'^q in the order of kPowers
+  std::array<double, kRecordedMomentPowers.size()>
+      powers{};  ///< sums of y^p y'^q in the order of kRecordedMomentPowers
 };
 
-/// Statistics of a simulation that transform::Solution does not contain.
-struct Summary {
+/// Statistics of a simulation that are not members of transform::Solution.
+struct SimulationSummary {
   double time = 0;  ///< simulated time over all streams, without the burn-in
   std::uint64_t samples = 0;
   double sampling_interval = 0;
@@ -31,25 +33,26 @@ struct Summary {
   /// would give the standard error SE of the unweighted mean
   double effective_samples = 0;
   double effective_samples_y2 = 0;  ///< effective number of samples for E[y^2]
-  /// Variance reduction by the weights of the streams: variance of the plain mean divided by the
-  /// variance of the weighted mean
+  /// Variance reduction by the weights of the trajectory streams: variance of the plain mean
+  /// divided by the variance of the weighted mean
   double variance_reduction_y2 = 1;
   double variance_reduction_v2 = 1;
   /// Power of the drawn impulses minus the expected power, relative to lambda E[Y^2]/2, and the
-  /// standard error of this excess power. The stream weights remove the excess power from the
-  /// estimates. An excess power of many standard errors indicates that the impulses do not follow
-  /// their law.
+  /// standard error of this excess power. The stream weights remove the effect of the excess
+  /// impulse power from the estimates. An excess power of many standard errors indicates that the
+  /// impulses do not follow their law.
   double excess_power = 0;
   double excess_power_error = 0;
   double outside_fraction = 0;
   std::uint64_t seed = 0;
   int threads = 0;
   int streams = 0;
-  double step = 0;  ///< limit of the Taylor step in radians, Options::step
+  double step = 0;  ///< limit of the Taylor step in radians, SimulationOptions::step
   std::optional<double> kick_interval{};
   double burn_in = 0;
   MeanEstimate impact_rate{};  ///< impacts per unit time, int |v| p(0, v) dv over v < 0
-  /// Whether impacts end in rest in contact; the rate of impacts is then infinite and not stated
+  /// Whether infinitely many impacts end with the mass at rest in contact; the impact rate is then
+  /// infinite and not stated
   bool impacts_accumulate = false;
   transform::BalanceResiduals balances{};  ///< residuals of the balances of the weighted averages
   transform::BalanceResiduals balance_errors{};  ///< standard errors of the residuals in `balances`
@@ -57,21 +60,23 @@ struct Summary {
   std::uint64_t flights = 0;  ///< number of Taylor polynomials of all flights
   std::uint64_t rounds = 0;
   bool interrupted = false;
-  /// moments E[y^p y'^q], p + q <= 4, in the order of kPowers
+  /// moments E[y^p y'^q], p + q <= 4, in the order of kRecordedMomentPowers
   std::vector<MeanEstimate> joint_moments{};
-  std::vector<QuantileEstimate> y_quantiles{}, v_quantiles{};
-  std::vector<LevelEventRate> crossings{}, peaks{};
+  std::vector<QuantileWithConfidenceInterval> y_quantiles{}, v_quantiles{};
+  std::vector<RateOfEventsAtLevel> crossings{}, peaks{};
   std::vector<double> thresholds{};
   /// Standard errors of the averages of the joint histogram, row-major
   std::vector<double> joint_standard_errors{};
-  /// Deposited sums of each stream on the grid Options::deposit; empty without a deposit grid
-  std::vector<StreamDeposit> deposits{};
-  /// Warnings about difficulties that do not affect the result, one line each (Options::warn)
+  /// Deposited sums of each trajectory stream on the grid SimulationOptions::deposit; empty without
+  /// a deposit grid
+  std::vector<DepositOfOneStream> deposits{};
+  /// Warnings about difficulties that do not affect the result, one line each
+  /// (SimulationOptions::warn)
   std::vector<std::string> warnings{};
 };
 
 /// Returns the metrics of a summary for files and pages: everything except the standard errors of
 /// the joint histogram, the deposits and the warnings.
-transform::Metrics metrics(const Summary& summary);
+transform::Metrics metrics(const SimulationSummary& summary);
 
 }  // namespace fpkcheck::mcs

@@ -33,7 +33,7 @@ constexpr double kPaths = 1e6, kMostDuffingEvents = 6e7, kMostOtherEvents = 2.5e
 constexpr double kFewestPaths = 1000;
 constexpr int kStreams = 2048;  // paths that are simulated together
 
-// Histograms and sums of powers of y and y' over paths, at one time.
+// Histograms and sums of powers of y and y' over simulated paths, at one time.
 struct SnapshotSums {
   std::vector<double> y, v;                      // number of paths in each bin, outer bins included
   std::array<double, 8> y_powers{}, v_powers{};  // sums of the powers 1 .. 8
@@ -77,13 +77,15 @@ class InitialStates {
     if (std::isfinite(left_)) left_probability_ = probability(left_);
     if (std::isfinite(right_)) right_probability_ = probability(right_);
     for (std::uint32_t stream = 0; stream < kStreams; ++stream) {
-      normal_.emplace_back(standard_normal_impulses(), seed, stream, RandomNumberPurpose::start);
+      normal_.emplace_back(standard_normal_number_process(), seed, stream,
+                           RandomNumberPurpose::start);
     }
   }
 
-  State draw_state(std::size_t stream) {
+  OscillatorState draw_state(std::size_t stream) {
     const auto next = [&] { return normal_[stream].next_impulse().amplitude; };
-    // The displacement is the quantile of a uniform probability between those of the walls.
+    // The initial displacement is the quantile of a probability that is uniform between the
+    // probabilities of the two walls.
     const double below = left_probability_;
     const double probability =
         below + numerics::normal_probability(next()) * (right_probability_ - below);
@@ -162,12 +164,14 @@ struct SkippedPeriods {
   }
 };
 
-// Simulates kStreams paths in each repetition, and returns the sums over all paths at each time.
-// For a periodic state each repetition continues the paths of the previous repetition.
+// Simulates kStreams paths in each repetition, and returns the sums over all paths at each time. If
+// the density over time is periodic, each repetition continues the paths of the previous
+// repetition.
 std::vector<SnapshotSums> simulate_paths(Simulation& simulation, InitialStates& initial,
                                          int repetitions, const SkippedPeriods& periods,
                                          const TransientRequest& request,
-                                         const problem::WallFrame& frame, const Options& options) {
+                                         const problem::WallFrame& frame,
+                                         const SimulationOptions& options) {
   constexpr std::size_t kParts = 16;  // parts whose sums are added in a fixed order
   const BinFinder y_bins(request.y_edges), v_bins(request.v_edges);
   const auto times = static_cast<std::size_t>(request.snapshots) + 1;
@@ -184,7 +188,7 @@ std::vector<SnapshotSums> simulate_paths(Simulation& simulation, InitialStates& 
   };
   const auto restart_all = [&] {
     for (std::size_t s = 0; s < kStreams; ++s) {
-      const State start = initial.draw_state(s);
+      const OscillatorState start = initial.draw_state(s);
       simulation.restart_stream(s, start.y, start.v);
     }
   };
@@ -221,10 +225,11 @@ std::vector<SnapshotSums> simulate_paths(Simulation& simulation, InitialStates& 
 
 }  // namespace
 
-transform::Transient estimate_transient(const problem::Problem& problem, const Options& options,
-                                        const TransientRequest& request) {
+transform::TransientDensities estimate_transient(const problem::Problem& problem,
+                                                 const SimulationOptions& options,
+                                                 const TransientRequest& request) {
   const base::Stopwatch stopwatch;
-  transform::Transient transient{.id = id(options)};
+  transform::TransientDensities transient{.id = solution_id(options)};
   transient.has_standard_errors = true;
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system),
@@ -237,7 +242,7 @@ transform::Transient estimate_transient(const problem::Problem& problem, const O
     transient.status = Status::not_offered;
     return transient;
   }
-  Options many_streams = options;
+  SimulationOptions many_streams = options;
   many_streams.streams = kStreams;
   SimulationPlan plan = make_simulation_plan(transformed, many_streams);
   plan.sampling_interval = 4 * request.until;  // no path ends its flights at samples
@@ -247,7 +252,7 @@ transform::Transient estimate_transient(const problem::Problem& problem, const O
   const double events =
       plan.oscillator.is_duffing_at_wall() ? kMostDuffingEvents : kMostOtherEvents;
   const double time =
-      options.time.value_or(std::min(kPaths * time_per_path, events / plan.event_rate));
+      options.time.value_or(std::min(kPaths * time_per_path, events / plan.expected_event_rate));
   constexpr double kMostPaths = 1e9;
   if (time / time_per_path > kMostPaths) {
     throw InputError(

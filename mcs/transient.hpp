@@ -9,9 +9,10 @@ namespace fpkcheck::mcs {
 /// Estimates the density over time from independent paths whose initial states are drawn from the
 /// initial density. The errors of the moments are standard errors; the errors of the marginals are
 /// expected L1 sampling errors, and the marginals have 95 % confidence intervals.
-/// @param options Options::time is the simulated time of all paths
+/// @param options SimulationOptions::time is the simulated time of all paths
 /// @throws InputError as make_simulation_plan(), or if the initial mean is behind a wall
-transform::Transient estimate_transient(const problem::Problem& problem, const Options& options,
-                                        const transform::TransientRequest& request);
+transform::TransientDensities estimate_transient(const problem::Problem& problem,
+                                                 const SimulationOptions& options,
+                                                 const transform::TransientRequest& request);
 
 }  // namespace fpkcheck::mcs

@@ -68,19 +68,20 @@ using transform::Moments;
 
 struct MomentErrorsAndSources {
   results::MomentErrorEstimate error;
-  std::vector<results::ErrorSource> sources;
+  std::vector<results::MomentErrorSource> sources;
 };
 
-results::ErrorSource make_error_source(const backward::DensityErrorEstimator& error_estimator,
-                                       const problem::WallFrame& frame, const std::string& solution,
-                                       const transform::NamedMoment& moment,
-                                       const Eigen::MatrixXd& contributions,
-                                       const transform::GridDensity& cells) {
+results::MomentErrorSource make_error_source(const backward::DensityErrorEstimator& error_estimator,
+                                             const problem::WallFrame& frame,
+                                             const std::string& solution,
+                                             const transform::NamedMoment& moment,
+                                             const Eigen::MatrixXd& contributions,
+                                             const transform::GridDensity& cells) {
   Eigen::MatrixXd values = error_estimator.distribute_contributions_over_cells(
       contributions, transform::to_x_edges(frame, cells.y_edges),
       transform::transform_v_edges(frame, cells.v_edges));
   if (frame.mirrored) values = values.reverse().eval();
-  results::ErrorSource result{solution, moment.name, {cells.y_edges, cells.v_edges, {}}};
+  results::MomentErrorSource result{solution, moment.name, {cells.y_edges, cells.v_edges, {}}};
   for (const auto& row : values.rowwise()) {
     // Error sources are rounded to single precision, the precision of the files.
     for (const double value : row) {

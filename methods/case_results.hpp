@@ -17,11 +17,11 @@ struct CaseResultSettings {
   bool with_backward = true;
   ProgressListener progress = {};
   /// Function that receives a case after its solutions are computed, and again after its bounds and
-  /// moment error estimates. With a listener, a stop request prevents further solves, as in
-  /// run_cases().
+  /// moment error estimates. If a case listener is set, a stop request prevents further solves, as
+  /// in run_cases().
   CaseListener case_listener = {};
   /// Function that several threads call after the solutions and after each further long operation.
-  /// An exception of this function ends the computation.
+  /// An exception of the function `poll` ends the computation of the case results.
   std::function<void()> poll = {};
 };
 

@@ -65,16 +65,16 @@ Solver epc_solver() {
                           "amplitude and velocity.",
                           {"epc-polar-n4", "epc-polar-n6", "epc-polar-n8"})},
       .run_options = {"accuracy"}};
-  return with_solver_traits<epc::Options>(
+  return registry_entry_with_solver_traits<epc::ClosureOptions>(
       std::move(entry),
       {.description = epc::description(),
        .validate = epc::validate,
-       .identity = epc::identity,
+       .identity = epc::solution_identity,
        .options_of = epc::options_of,
        .solve =
-           [](const problem::Problem& problem, const epc::Options& options,
-              const SolveContext& context) {
-             auto solution = epc::solve(problem, options).solution;
+           [](const problem::Problem& problem, const epc::ClosureOptions& options,
+              const SolverInputContext& context) {
+             auto solution = epc::solve_closure(problem, options).solution;
              if (!solution.density || !options.accuracy || !context.estimate_error) {
                return solution;
              }

@@ -45,14 +45,17 @@ Solver fd_solver() {
                     .default_ids = {"fd-white", "fd-km4-delta", "fd-km4", "fd-kf"},
                     .plot_style = density_equation_style}},
       .run_options = {"max_seconds"}};
-  return with_solver_traits<fd_fpk::Options>(
+  return registry_entry_with_solver_traits<fd_fpk::FiniteVolumeOptions>(
       std::move(entry),
       {.description = fd_fpk::description(),
        .validate = fd_fpk::validate,
        .identity = fd_fpk::solution_identity,
        .options_of = fd_fpk::options_of,
-       .solve = [](const problem::Problem& problem, const fd_fpk::Options& options,
-                   const SolveContext&) { return fd_fpk::solve(problem, options).solution; },
+       .solve =
+           [](const problem::Problem& problem, const fd_fpk::FiniteVolumeOptions& options,
+              const SolverInputContext&) {
+             return fd_fpk::solve_stationary_density(problem, options).solution;
+           },
        .unsupported_reason = fd_fpk::unsupported_reason});
 }
 

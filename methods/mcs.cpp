@@ -44,8 +44,9 @@ examples:
 )";
 
 transform::Solution solve_by_simulation(const problem::Problem& problem,
-                                        const mcs::Options& options, const SolveContext& context) {
-  mcs::Options axis_options = options;
+                                        const mcs::SimulationOptions& options,
+                                        const SolverInputContext& context) {
+  mcs::SimulationOptions axis_options = options;
   axis_options.y_edges = context.axes.y_edges;
   axis_options.v_edges = context.axes.v_edges;
   axis_options.progress = [&](const mcs::SimulationProgress& at) {
@@ -55,14 +56,15 @@ transform::Solution solve_by_simulation(const problem::Problem& problem,
                                                     *at.y_l1, *at.ydot_l1)
                                       : std::string());
   };
-  if (options.controlled) return control_variates::solve(problem, {.simulation = axis_options});
-  return mcs::solve(problem, axis_options).solution;
+  if (options.controlled)
+    return control_variates::simulate_with_control_variates(problem, {.simulation = axis_options});
+  return mcs::simulate_stationary_density(problem, axis_options).solution;
 }
 
 // In a list of methods the simulation is the reference and should have small sampling errors. With
 // the equation `kf` the simulation therefore uses control variates, which exist only for this
 // equation.
-std::optional<mcs::Options> options_with_control_variates(std::string_view id) {
+std::optional<mcs::SimulationOptions> options_with_control_variates(std::string_view id) {
   auto options = mcs::options_of(id);
   if (options) options->controlled = options->equation == mcs::DensityEquation::kf;
   return options;
@@ -70,21 +72,22 @@ std::optional<mcs::Options> options_with_control_variates(std::string_view id) {
 
 }  // namespace
 
-Method with_runtime_settings(Method simulation, const SimulationRuntimeSettings& control) {
-  mcs::Options options = mcs::description().read(simulation.options, "options");
+Method simulation_with_runtime_settings(Method simulation,
+                                        const SimulationRuntimeSettings& control) {
+  mcs::SimulationOptions options = mcs::description().read(simulation.options, "options");
   options.checkpoint = control.checkpoint;
   options.resume = control.resume;
   options.stop = control.stop;
   options.warn = control.warn;
   options.process_group = control.process_group;
   simulation.solve = [options = std::move(options)](const problem::Problem& problem,
-                                                    const SolveContext& context) {
+                                                    const SolverInputContext& context) {
     return solve_in_wall_coordinates(
         problem, context,
         [&](const problem::Problem& transformed) {
           return mcs::unsupported_reason(transformed, options);
         },
-        [&](const problem::Problem& transformed, const SolveContext& transformed_context) {
+        [&](const problem::Problem& transformed, const SolverInputContext& transformed_context) {
           return solve_by_simulation(transformed, options, transformed_context);
         });
   };
@@ -103,14 +106,14 @@ Solver mcs_solver() {
                              .plot_style = simulation_style}},
                .uses_all_processors = true,
                .run_options = {"time", "seed", "threads"}};
-  return with_solver_traits<mcs::Options>(std::move(entry),
-                                          {.description = mcs::description(),
-                                           .validate = mcs::validate,
-                                           .identity = mcs::identity,
-                                           .options_of = options_with_control_variates,
-                                           .solve = solve_by_simulation,
-                                           .check = mcs::require_solvable,
-                                           .unsupported_reason = mcs::unsupported_reason});
+  return registry_entry_with_solver_traits<mcs::SimulationOptions>(
+      std::move(entry), {.description = mcs::description(),
+                         .validate = mcs::validate,
+                         .identity = mcs::solution_identity,
+                         .options_of = options_with_control_variates,
+                         .solve = solve_by_simulation,
+                         .check = mcs::require_solvable,
+                         .unsupported_reason = mcs::unsupported_reason});
 }
 
 }  // namespace fpkcheck::methods

@@ -15,10 +15,11 @@ struct SimulationRuntimeSettings {
   /// Function that returns whether the simulation must stop early and return its partial result.
   std::function<bool()> stop = {};
   std::function<void(const std::string&)> warn = {};  ///< function that receives warnings
-  mcs::ProcessGroup process_group = {};               ///< processes that share the simulation
+  mcs::SimulationProcessGroup process_group = {};     ///< processes that share the simulation
 };
 
 /// @param simulation method of the registry entry mcs_solver()
-Method with_runtime_settings(Method simulation, const SimulationRuntimeSettings& settings);
+Method simulation_with_runtime_settings(Method simulation,
+                                        const SimulationRuntimeSettings& settings);
 
 }  // namespace fpkcheck::methods

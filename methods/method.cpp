@@ -6,9 +6,10 @@
 namespace fpkcheck::methods {
 
 transform::Solution solve_in_wall_coordinates(
-    const problem::Problem& problem, const SolveContext& context,
+    const problem::Problem& problem, const SolverInputContext& context,
     const std::function<std::string(const problem::Problem&)>& unsupported_reason,
-    const std::function<transform::Solution(const problem::Problem&, const SolveContext&)>& solve) {
+    const std::function<transform::Solution(const problem::Problem&, const SolverInputContext&)>&
+        solve) {
   const problem::WallFrame frame = problem::wall_frame(problem.system);
   const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);
   if (const std::string reason = unsupported_reason(transformed); !reason.empty()) {

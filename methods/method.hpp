@@ -20,14 +20,15 @@ namespace fpkcheck::methods {
 using ProgressCallback = std::function<void(double, const std::string& note)>;
 
 /// The input that a method receives in addition to the problem.
-struct SolveContext {
+struct SolverInputContext {
   const compare::ComparisonAxes& axes;  ///< comparison bins, used for the histogram of a simulation
   const ProgressCallback& progress;
   /// Residual-based error estimator (set_residual_error_estimate), for methods that have no other
   /// error estimate. The pointer may be null.
   const ResidualErrorEstimator* error_estimator = nullptr;
-  /// Whether the method must estimate the error of its solution. The flag is false if the caller
-  /// estimates the error of the solution, for example from the distance to the reference.
+  /// Whether the method must estimate the error of its solution. The flag `estimate_error` is false
+  /// if the caller estimates the error of the solution, for example from the distance to the
+  /// reference.
   bool estimate_error = true;
 };
 
@@ -35,11 +36,12 @@ struct SolveContext {
 struct Method {
   transform::SolutionIdentity identity;  ///< identity of the solutions
   base::Values options = {};             ///< values of the options, as stored in files
-  /// Whether the method uses all processors. No other method then runs at the same time.
+  /// Whether the method uses all processors. While a method uses all processors, no other method
+  /// runs.
   bool uses_all_processors = false;
-  /// Function that solves a problem. Its caller solve_with_method() sets the identity and options
+  /// Function that solves a problem. The caller solve_with_method() sets the identity and options
   /// of the solution.
-  std::function<transform::Solution(const problem::Problem&, const SolveContext&)> solve;
+  std::function<transform::Solution(const problem::Problem&, const SolverInputContext&)> solve;
   /// Optional function that checks, before the first solve, that the options and a problem are
   /// compatible.
   /// @throws InputError if the options and the problem are incompatible
@@ -52,12 +54,14 @@ struct Method {
 /// the solution in physical coordinates. If the solver does not support the problem, the status of
 /// the solution is `not_offered`.
 /// @param unsupported_reason function that returns why the solver does not support the transformed
-/// problem; an empty text for a supported problem. The text becomes the reason of the solution.
+///   problem; an empty text for a supported problem. The text becomes the reason of the status of
+///   the solution.
 /// @param solve function that solves the transformed problem on the transformed comparison axes
 transform::Solution solve_in_wall_coordinates(
-    const problem::Problem& problem, const SolveContext& context,
+    const problem::Problem& problem, const SolverInputContext& context,
     const std::function<std::string(const problem::Problem&)>& unsupported_reason,
-    const std::function<transform::Solution(const problem::Problem&, const SolveContext&)>& solve);
+    const std::function<transform::Solution(const problem::Problem&, const SolverInputContext&)>&
+        solve);
 
 /// A family of methods of one solver, with a common name, meaning and plot style. Lists of methods,
 /// glossaries and legends have one entry for each family.
@@ -90,9 +94,10 @@ struct Solver {
   std::function<Method(const base::Values&)> method = {};
 };
 
-/// The functions of a solver's library, from which with_solver_traits() makes a registry entry.
+/// The functions of a solver's library, from which registry_entry_with_solver_traits() makes a
+/// registry entry.
 template <class Options>
-struct SolverTraits {
+struct SolverLibraryFunctions {
   const base::Description<Options>& description;
   /// @throws InputError if the options are invalid
   void (*validate)(const Options&);
@@ -101,7 +106,8 @@ struct SolverTraits {
   std::optional<Options> (*options_of)(std::string_view id);
   /// Function that solves a problem in wall coordinates (problem/walls.hpp), with comparison axes
   /// in wall coordinates.
-  std::function<transform::Solution(const problem::Problem&, const Options&, const SolveContext&)>
+  std::function<transform::Solution(const problem::Problem&, const Options&,
+                                    const SolverInputContext&)>
       solve;
   /// Function for Method::check, which checks that a problem and the options are compatible; may be
   /// null.
@@ -114,7 +120,8 @@ struct SolverTraits {
 /// Returns a copy of a registry entry with the option descriptions, default options and functions
 /// of the solver's library.
 template <class Options>
-Solver with_solver_traits(Solver solver, const SolverTraits<Options>& traits) {
+Solver registry_entry_with_solver_traits(Solver solver,
+                                         const SolverLibraryFunctions<Options>& traits) {
   solver.option_descriptions = &traits.description;
   solver.default_options = traits.description.values(Options{});
   solver.options_of = [traits](std::string_view id) -> std::optional<base::Values> {
@@ -128,17 +135,18 @@ Solver with_solver_traits(Solver solver, const SolverTraits<Options>& traits) {
     traits.validate(options);
     Method method{
         traits.identity(options), traits.description.values(options), uses_all_processors,
-        [traits, options](const problem::Problem& problem, const SolveContext& context) {
+        [traits, options](const problem::Problem& problem, const SolverInputContext& context) {
           const auto unsupported_reason = [&](const problem::Problem& transformed) {
             return traits.unsupported_reason == nullptr
                        ? ""
                        : traits.unsupported_reason(transformed, options);
           };
-          return solve_in_wall_coordinates(
-              problem, context, unsupported_reason,
-              [&](const problem::Problem& transformed, const SolveContext& transformed_context) {
-                return traits.solve(transformed, options, transformed_context);
-              });
+          return solve_in_wall_coordinates(problem, context, unsupported_reason,
+                                           [&](const problem::Problem& transformed,
+                                               const SolverInputContext& transformed_context) {
+                                             return traits.solve(transformed, options,
+                                                                 transformed_context);
+                                           });
         }};
     if (traits.check != nullptr) {
       method.check = [check = traits.check, options](const problem::Problem& problem) {

@@ -28,13 +28,13 @@ std::size_t closure_order_index(int order) {
   return std::min(static_cast<std::size_t>(std::max(2, order) / 2 - 1), kDashes.size() - 1);
 }
 
-// Shades of the hue, and name of the marker in plotly.js, of a formulation of the closure.
-struct FormulationStyle {
+// Shades of the hue and plotly.js marker name of one formulation of closures.
+struct ClosureFormulationStyle {
   const ColourRamp& ramp;
   const char* symbol;
 };
-constexpr FormulationStyle kGaussianStyle{kOrange, "triangle-up"}, kMomentStyle{kPurple, "square"},
-    kPolarStyle{kOlive, "diamond"};
+constexpr ClosureFormulationStyle kGaussianStyle{kOrange, "triangle-up"},
+    kMomentStyle{kPurple, "square"}, kPolarStyle{kOlive, "diamond"};
 
 }  // namespace
 

@@ -50,11 +50,11 @@ std::vector<std::string> method_ids_of_item(const SolverRegistry& registry,
 
 }  // namespace
 
-void SolverRegistry::add(Solver solver) {
+void SolverRegistry::add_solver(Solver solver) {
   if (find_solver(solver.name) != nullptr) {
     throw std::logic_error("solver '" + std::string(solver.name) + "' is registered twice");
   }
-  const auto known = families_by_trust();
+  const auto known = method_families_by_trust();
   for (const auto& family : solver.families) {
     if (std::ranges::find(known, family.name, &MethodFamily::name) != known.end()) {
       throw std::logic_error("methods '" + family.name + "' are registered twice");
@@ -68,7 +68,7 @@ const Solver* SolverRegistry::find_solver(std::string_view name) const {
   return found == solvers_.end() ? nullptr : &*found;
 }
 
-std::vector<const MethodFamily*> SolverRegistry::families_by_trust() const {
+std::vector<const MethodFamily*> SolverRegistry::method_families_by_trust() const {
   std::vector<const MethodFamily*> all;
   for (const auto& solver : solvers_) {
     for (const auto& family : solver.families) all.push_back(&family);
@@ -77,8 +77,8 @@ std::vector<const MethodFamily*> SolverRegistry::families_by_trust() const {
   return all;
 }
 
-void SolverRegistry::complete_identity(SolutionIdentity& identity) const {
-  const auto all = families_by_trust();
+void SolverRegistry::set_missing_identity_fields(SolutionIdentity& identity) const {
+  const auto all = method_families_by_trust();
   const auto entry = std::ranges::find_if(
       all, [&](const MethodFamily* family) { return is_id_in_family(identity.id, family->name); });
   if (entry == all.end()) return;
@@ -98,7 +98,7 @@ void SolverRegistry::complete_identity(SolutionIdentity& identity) const {
 
 Method SolverRegistry::make_method(const Solver& solver, const Values& options) const {
   Method method = solver.method(options);
-  complete_identity(method.identity);
+  set_missing_identity_fields(method.identity);
   return method;
 }
 
@@ -112,8 +112,8 @@ std::optional<Method> SolverRegistry::find_method_by_id(std::string_view id,
   return std::nullopt;
 }
 
-std::vector<Method> SolverRegistry::select_methods(const std::string& list,
-                                                   const Values& overrides) const {
+std::vector<Method> SolverRegistry::methods_selected_by_list(const std::string& list,
+                                                             const Values& overrides) const {
   std::map<std::string, Method> methods;
   std::istringstream items(list);
   for (std::string item; std::getline(items, item, ',');) {
@@ -155,7 +155,7 @@ std::optional<Method> SolverRegistry::method_for_solution(const Solution& soluti
   return made;
 }
 
-void SolverRegistry::complete_solution_identities(results::Run& run) const {
+void SolverRegistry::set_missing_identity_fields_of_run(results::Run& run) const {
   for (auto& one : run.cases) {
     for (auto& solution : one.solutions) {
       if (!solution.identity.family.empty()) continue;
@@ -183,9 +183,9 @@ std::string selectable_methods_text(const SolverRegistry& registry) {
 
 SolverRegistry builtin_registry() {
   SolverRegistry registry;
-  registry.add(epc_solver());
-  registry.add(fd_solver());
-  registry.add(mcs_solver());
+  registry.add_solver(epc_solver());
+  registry.add_solver(fd_solver());
+  registry.add_solver(mcs_solver());
   return registry;
 }
 

@@ -17,13 +17,13 @@ class SolverRegistry {
  public:
   /// Adds a solver.
   /// @throws std::logic_error if the registry already has a solver or a family with the same name
-  void add(Solver solver);
+  void add_solver(Solver solver);
 
   /// Returns all solvers in the order of their addition.
   const std::vector<Solver>& solvers() const { return solvers_; }
   const Solver* find_solver(std::string_view name) const;
   /// Returns the families of methods of all solvers, by increasing trust.
-  std::vector<const MethodFamily*> families_by_trust() const;
+  std::vector<const MethodFamily*> method_families_by_trust() const;
 
   /// Returns the method with a given id; empty if no solver has a method with this id.
   /// @param overrides values of options that replace the default values; options of other solvers
@@ -40,7 +40,8 @@ class SolverRegistry {
   /// family (epc-gaussian) or a solver (epc). A family or a solver selects its default ids.
   /// @param overrides values of options, as in find_method_by_id()
   /// @throws InputError if an item of the list selects no method
-  std::vector<Method> select_methods(const std::string& list, const base::Values& overrides) const;
+  std::vector<Method> methods_selected_by_list(const std::string& list,
+                                               const base::Values& overrides) const;
 
   /// Returns the method that computed a solution of a saved run, with the options of the solution.
   /// The result is empty for an external density (from a file, a function or samples).
@@ -51,10 +52,10 @@ class SolverRegistry {
                                             const base::Values& overrides) const;
 
   /// Sets the family, meaning, trust and plot style of solutions of a saved run that lacks them.
-  void complete_solution_identities(results::Run& run) const;
+  void set_missing_identity_fields_of_run(results::Run& run) const;
 
  private:
-  void complete_identity(transform::SolutionIdentity& identity) const;
+  void set_missing_identity_fields(transform::SolutionIdentity& identity) const;
 
   std::vector<Solver> solvers_;
 };

@@ -107,7 +107,7 @@ void set_residual_error_estimate(const ResidualErrorEstimator& estimator, double
   if (!solution.density) return;
   const auto weighted = estimate_density_errors(estimator, *solution.density, coordinates);
   solution.error = weighted ? weighted->error_estimate() : std::nullopt;
-  if (!solution.is_ok()) return;
+  if (!solution.has_status_ok()) return;
   if (!solution.error) {
     solution.status = Status::inaccurate;
     solution.reason = missing_estimate_reason(estimator, weighted);

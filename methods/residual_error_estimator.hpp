@@ -26,7 +26,7 @@ class ResidualErrorEstimator {
 
   /// Returns the residual estimator for densities in wall coordinates. The result is null if the
   /// backward equations cannot be solved, or if residuals_unsupported_reason() of `backward`
-  /// excludes the problem. Several threads may call this function at the same time.
+  /// excludes the problem. Several threads may call density_error_estimator() at the same time.
   const backward::DensityErrorEstimator* density_error_estimator() const;
   const problem::WallFrame& wall_coordinates() const;
   /// Returns why the estimator does not support the problem; empty for a supported problem.

@@ -24,18 +24,18 @@ namespace {
 using transform::Solution;
 using transform::StateVariable;
 
-struct SolveTask {
+struct MethodSolveTask {
   std::size_t problem;
   std::size_t method;
 };
 
 // Collects the solutions of a run in a table, shape (problems, methods), and reports the progress.
-class SolutionTable {
+class SolutionsByProblemAndMethod {
  public:
-  SolutionTable(const std::vector<problem::Problem>& problems, const std::vector<Method>& methods,
-                const ProgressListener& listener,
-                const std::vector<ResidualErrorEstimator>& estimators,
-                const CaseListener& case_listener)
+  SolutionsByProblemAndMethod(const std::vector<problem::Problem>& problems,
+                              const std::vector<Method>& methods, const ProgressListener& listener,
+                              const std::vector<ResidualErrorEstimator>& estimators,
+                              const CaseListener& case_listener)
       : problems_(problems),
         methods_(methods),
         listener_(listener),
@@ -48,7 +48,7 @@ class SolutionTable {
     for (auto& missing : unsolved_) missing = methods.size();
   }
 
-  void solve(const SolveTask& task) {
+  void solve(const MethodSolveTask& task) {
     if (case_listener_ && base::stop_requested()) return;
     const Method& method = methods_[task.method];
     report_progress(task, 0, "");
@@ -81,7 +81,7 @@ class SolutionTable {
     if (case_listener_) case_listener_(*cases_[p]);
   }
 
-  void report_progress(const SolveTask& task, double fraction, const std::string& note) {
+  void report_progress(const MethodSolveTask& task, double fraction, const std::string& note) {
     if (!listener_) return;
     const std::lock_guard lock(listener_mutex_);
     listener_({.done = done_,
@@ -109,14 +109,15 @@ constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 // L1 distances of a solution from the reference. A distance is empty if the solution or the
 // reference lacks the marginal density.
-struct ReferenceDistances {
+struct L1DistancesFromReference {
   std::optional<double> y, ydot;
 
   explicit operator bool() const { return y || ydot; }
 };
 
 void set_error_from_reference_distance(const Solution& reference,
-                                       const ReferenceDistances& distance, Solution& solution) {
+                                       const L1DistancesFromReference& distance,
+                                       Solution& solution) {
   const auto with_reference_error = [&](const std::optional<double>& l1, StateVariable variable) {
     return l1 ? *l1 + compare::l1_error_estimate(reference, variable) : kUnknown;
   };
@@ -133,7 +134,7 @@ void set_error_from_reference_distance(const Solution& reference,
 }  // namespace
 
 Solution solve_with_method(const Method& method, const problem::Problem& problem,
-                           const SolveContext& context) {
+                           const SolverInputContext& context) {
   Solution solution;
   if (!run_unless_out_of_memory([&] { solution = method.solve(problem, context); })) {
     solution.status = transform::Status::failed;
@@ -170,10 +171,11 @@ std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& 
                                            const std::vector<ResidualErrorEstimator>& estimators,
                                            const CaseListener& case_listener) {
   require_compatible_options(problems, methods);
-  SolutionTable run(problems, methods, listener, estimators, case_listener);
+  SolutionsByProblemAndMethod run(problems, methods, listener, estimators, case_listener);
   // The first closure of a problem computes the residual-based error estimator, and the other
-  // closures of the problem wait for the estimator. Meanwhile other processors compute solutions
-  // that do not use the estimator.
+  // closures of the problem wait for the estimator. While the first closure computes the
+  // residual-based error estimator, other processors compute solutions that do not use the
+  // estimator.
   const auto is_closure = [&](std::size_t m) {
     return methods[m].identity.role == transform::SolutionRole::closure;
   };
@@ -185,7 +187,7 @@ std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& 
   // The blocks of problems are completed one after another. After a stop request, only the problems
   // of one block are incomplete.
   const auto block = static_cast<std::size_t>(base::resolve_thread_count(thread_count));
-  std::vector<SolveTask> single_threaded;
+  std::vector<MethodSolveTask> single_threaded;
   for (std::size_t begin = 0; begin < problems.size(); begin += block) {
     const std::size_t end = std::min(begin + block, problems.size());
     for (const std::size_t m : order) {
@@ -216,11 +218,11 @@ void complete_error_estimates(const std::vector<Method>& methods,
                               const compare::ComparisonAxes& axes,
                               const ResidualErrorEstimator& estimator,
                               std::vector<Solution>& solutions,
-                              const compare::Comparison* comparison) {
+                              const compare::SolutionComparison* comparison) {
   const Solution* const reference =
       transform::find_solution(solutions, compare::assess_solutions(solutions).reference);
-  std::optional<compare::Comparison> computed_comparison;
-  const auto distance = [&](const Solution& solution) -> ReferenceDistances {
+  std::optional<compare::SolutionComparison> computed_comparison;
+  const auto distance = [&](const Solution& solution) -> L1DistancesFromReference {
     if (reference == nullptr) return {};
     if (comparison == nullptr)
       comparison = &computed_comparison.emplace(compare::compare_solutions(axes, solutions));
@@ -234,7 +236,7 @@ void complete_error_estimates(const std::vector<Method>& methods,
     Solution& solution = solutions[m];
     const auto accuracy = solution.error ? std::nullopt : required_accuracy(methods[m]);
     if (accuracy && solution.density) {
-      if (const ReferenceDistances found = distance(solution); found.y && found.ydot) {
+      if (const L1DistancesFromReference found = distance(solution); found.y && found.ydot) {
         // At this point the only reason for the status `inaccurate` is the missing error estimate.
         if (solution.status == transform::Status::inaccurate) {
           solution.status = transform::Status::ok;
@@ -248,12 +250,12 @@ void complete_error_estimates(const std::vector<Method>& methods,
                 "and {:.2g} in p(y')",
                 reference->id(), *found.y, *found.ydot),
             solution);
-      } else if (solution.is_ok()) {
+      } else if (solution.has_status_ok()) {
         set_residual_error_estimate(estimator, *accuracy, solution);
       }
-    } else if (solution.is_ok() && &solution != reference &&
+    } else if (solution.has_status_ok() && &solution != reference &&
                !transform::has_error_estimate(solution)) {
-      if (const ReferenceDistances found = distance(solution)) {
+      if (const L1DistancesFromReference found = distance(solution)) {
         set_error_from_reference_distance(*reference, found, solution);
       } else if (methods[m].identity.role == transform::SolutionRole::closure) {
         set_residual_error_estimate(estimator, HUGE_VAL, solution);

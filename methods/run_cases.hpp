@@ -33,7 +33,7 @@ using ProgressListener = std::function<void(const RunProgress&)>;
 /// an error estimate gets a status other than `ok`. For closures and external densities
 /// complete_error_estimates() later sets the final status.
 transform::Solution solve_with_method(const Method& method, const problem::Problem& problem,
-                                      const SolveContext& context);
+                                      const SolverInputContext& context);
 
 /// @throws InputError if a method and a problem are incompatible (Method::check)
 void require_compatible_options(const std::vector<problem::Problem>& problems,
@@ -56,9 +56,9 @@ using CaseListener = std::function<void(const results::CaseResult&)>;
 /// Solves every problem with every method and compares the solutions, with given residual-based
 /// error estimators.
 /// @param estimators residual-based error estimators, one for each problem; the caller owns them
-/// @param case_listener function that receives the completed cases; may be empty. With a listener,
-/// a stop request (base/process/stop_request.hpp) prevents further solves, and the returned list
-/// omits incomplete cases.
+/// @param case_listener function that receives the completed cases; may be empty. If
+///   `case_listener` is set, a stop request (base/process/stop_request.hpp) prevents further
+///   solves, and the returned list omits incomplete cases.
 std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& problems,
                                            const std::vector<Method>& methods, int thread_count,
                                            const ProgressListener& listener,
@@ -114,6 +114,6 @@ void complete_error_estimates(const std::vector<Method>& methods,
                               const compare::ComparisonAxes& axes,
                               const ResidualErrorEstimator& estimator,
                               std::vector<transform::Solution>& solutions,
-                              const compare::Comparison* comparison = nullptr);
+                              const compare::SolutionComparison* comparison = nullptr);
 
 }  // namespace fpkcheck::methods

@@ -43,9 +43,9 @@ std::optional<double> parse_table_number(std::string_view text) {
 
 /// Builds an amplitude table row by row and checks each row separately, so that an error message
 /// names the line of the row.
-class TableBuilder {
+class AmplitudeTableBuilder {
  public:
-  explicit TableBuilder(WeightType kind) { table_.kind = kind; }
+  explicit AmplitudeTableBuilder(WeightType kind) { table_.kind = kind; }
 
   /// Appends a row of an amplitude and its weight to the table.
   /// @param at beginning of the error message: the file and the line of the row
@@ -100,7 +100,7 @@ class TableBuilder {
     const double first = table_.amplitude.front(), last = table_.amplitude.back();
     const double spread = last - first, size = std::max(std::abs(first), std::abs(last));
     if (spread < std::max(kLeastSpread, kLeastOfSize * size) ||
-        table_.variance() < kLeastShare * spread * spread) {
+        table_.amplitude_variance() < kLeastShare * spread * spread) {
       fail(at,
            fmt::format("the table's amplitudes, {} .. {}, have a negligible variance: Y must vary",
                        first, last));
@@ -142,7 +142,7 @@ double moment_about(const AmplitudeTable& table, double about, int power) {
 
 }  // namespace
 
-double AmplitudeTable::mean() const {
+double AmplitudeTable::amplitude_mean() const {
   // A mean amplitude below kRounding times the width of the table is set to 0.
   constexpr double kRounding = 1e-15;
   const double first = amplitude.front(), last = amplitude.back(), middle = (first + last) / 2;
@@ -150,7 +150,9 @@ double AmplitudeTable::mean() const {
   return std::abs(mean) < kRounding * (last - first) ? 0 : mean;
 }
 
-double AmplitudeTable::variance() const { return moment_about(*this, mean(), 2); }
+double AmplitudeTable::amplitude_variance() const {
+  return moment_about(*this, amplitude_mean(), 2);
+}
 
 AmplitudeTable AmplitudeTable::with_negated_amplitudes() const {
   AmplitudeTable table = *this;
@@ -163,7 +165,7 @@ AmplitudeTable AmplitudeTable::with_negated_amplitudes() const {
 AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& file_name) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
   if (csv.starts_with(kByteOrderMark)) csv.remove_prefix(kByteOrderMark.size());
-  std::optional<TableBuilder> rows;
+  std::optional<AmplitudeTableBuilder> rows;
   int number = 0;
   std::string at = fmt::format("{}:1:", file_name);
   while (!csv.empty()) {
@@ -214,7 +216,7 @@ AmplitudeTable parse_amplitude_table_literal(std::string_view text) {
     throw InputError(
         fmt::format("{} not a table; name a CSV file, or write probability(-1:0.5,1:0.5)", at));
   }
-  TableBuilder rows(text.front() == 'p' ? WeightType::probability : WeightType::density);
+  AmplitudeTableBuilder rows(text.front() == 'p' ? WeightType::probability : WeightType::density);
   const auto open = text.find('(');
   std::string_view list = text.substr(open + 1, text.size() - open - 2);
   while (!list.empty()) {

@@ -18,9 +18,9 @@ struct AmplitudeTable {
   std::vector<double> amplitude, weight;
 
   /// Returns the mean E[Y] of the amplitude Y.
-  double mean() const;
+  double amplitude_mean() const;
   /// Returns the variance of the amplitude Y.
-  double variance() const;
+  double amplitude_variance() const;
   /// Returns the amplitude table of the law of -Y, where Y has the law of this table.
   AmplitudeTable with_negated_amplitudes() const;
 };

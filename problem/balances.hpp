@@ -24,7 +24,7 @@ double energy_loss_at_impact(const Wall& wall, ImpactCondition condition, double
 double momentum_change_at_impact(const Wall& wall, double impact_speed);
 
 /// Returns the energy lost per unit time at a wall of constant restitution coefficient r; 0 without
-/// a wall. The energy loss rate is
+/// a wall. With the joint density p(y, v) and a wall at y = a, the energy loss rate is
 ///
 ///     kappa int |v|^3 p(a,v) dv,    kappa = (1-r^2)/2, or kappa = 1-r for ImpactCondition::delta.
 ///
@@ -60,19 +60,21 @@ double power_balance_residual(const Problem& problem, const PowerBalanceTerms& t
 ///     E[v f_y - (c v + g(y)) f_v] + lambda E[f(y, v + Y) - f(y, v)]
 ///         + int_{u>0} u p(0,-u) [f(0, +) - f(0, -u)] du = 0,
 ///
-/// where g is the restoring force of System. Dynkin's formula for f = y and f = y^2/2 gives E[v] =
-/// 0 and E[y v] = 0, since neither impulses nor impacts change y. For any function c(y), E[c(y) v]
-/// = E[y c(y) v] = 0 for the same reason. The virial and momentum balances hold in wall coordinates
-/// (problem/walls.hpp), with a left wall at 0. A right wall at b, damping c_vv v^3 and atoms at
-/// rest add terms to these balances. The expectation E[g] includes the atoms at rest.
+/// where p is the joint density and g the restoring force of the oscillator (System). Dynkin's
+/// formula for f = y and f = y^2/2 gives E[v] = 0 and E[y v] = 0, since neither impulses nor
+/// impacts change y. For any function c(y), the means E[c(y) v] and E[y c(y) v] are 0, since both
+/// are stationary means of time derivatives of functions of y. The virial and momentum balances
+/// hold in wall coordinates (problem/walls.hpp), with a left wall at 0. A right wall at b, damping
+/// c_vv v^3 and atoms at rest add terms to these balances. The expectation E[g] includes the atoms
+/// at rest.
 ///
 /// The functions y v and v are linear in v, so that E[Y] is the only moment of Y in the virial and
-/// momentum balances. These balances therefore hold for the equations `kf`, `km4`, `km4_pade` and
-/// `white`. They also hold for the impact conditions `map` and `delta`: y v = 0 at the wall, and
-/// under both conditions the flux off the wall has the momentum r int w f dw, where f(w) is the
-/// flux of impacts with the speed w. The condition `delta` replaces f by f + (1-r) d(w f)/dw;
-/// integration by parts gives the same momentum. Only the balance of power, quadratic in v,
-/// distinguishes `map` from `delta`.
+/// momentum balances. The virial and momentum balances therefore hold for the equations `kf`,
+/// `km4`, `km4_pade` and `white`, and also for the impact conditions `map` and `delta`: y v = 0 at
+/// the wall, and under both conditions the flux off the wall has the momentum r int w f dw, where
+/// f(w) is the flux of impacts with the speed w. The impact condition `delta` replaces the flux
+/// f(w) of impacts with the speed w by f + (1-r) d(w f)/dw; integration by parts gives the same
+/// momentum. Only the balance of power, quadratic in v, distinguishes `map` from `delta`.
 
 /// The two sides of a balance equation, which are equal for the exact stationary density.
 struct BalanceEquation {
@@ -80,8 +82,8 @@ struct BalanceEquation {
   double right;
   double scale;  ///< magnitude by which the residual is divided
 
-  double difference() const { return left - right; }
-  double residual() const { return difference() / scale; }
+  double side_difference() const { return left - right; }
+  double relative_residual() const { return side_difference() / scale; }
 };
 
 /// Returns the momentum per unit time from a wall of constant restitution coefficient r to the
@@ -93,7 +95,8 @@ double impact_momentum_rate(const std::optional<Wall>& wall, double squared_spee
 struct VirialBalanceTerms {
   double mean_displacement;
   double mean_square_velocity;
-  /// Mean virial E[y g(y)], or E[y (f + g)] for the formula of a force.
+  /// Mean virial E[y g(y)] of the restoring force g, or E[y (f + g)] if a formula states the total
+  /// force f + g.
   double mean_virial;
   double right_impact_momentum = 0;  ///< momentum per unit time from the right wall
   double mean_y_cubed_velocity = 0;  ///< E[y v^3]; used where c_vv is not 0
@@ -106,7 +109,8 @@ BalanceEquation virial_balance(const Problem& problem, const VirialBalanceTerms&
 
 /// Means of a density, and momentum from the walls, that enter the momentum balance.
 struct MomentumBalanceTerms {
-  /// Mean force E[g(y)], or E[f + g] for the formula of a force.
+  /// Mean restoring force E[g(y)], or the mean E[f + g] of the total force if a formula states f +
+  /// g.
   double mean_force;
   /// Momentum per unit time from the left and from the right wall (impact_momentum_rate()).
   double left_impact_momentum = 0, right_impact_momentum = 0;
@@ -115,8 +119,8 @@ struct MomentumBalanceTerms {
   /// impulses towards the wall. At the left wall, with rest probability P0, this rate is g(0) P0 +
   /// (1 + r) lambda P0 E[Y^-].
   double contact_momentum_rate = 0;
-  /// E[|g(y)|], the scale of the momentum balance in wells far from a wall, where the mean force
-  /// and the momentum from the wall are nearly 0.
+  /// Mean E[|g(y)|] of the absolute restoring force, the scale of the momentum balance in wells far
+  /// from a wall, where the mean force and the momentum from the wall are nearly 0.
   double mean_absolute_force = 0;
 };
 
@@ -126,8 +130,9 @@ struct MomentumBalanceTerms {
 ///                             - int (1 + r_b) u^2 p(b,u) du + contact_momentum_rate.
 ///
 /// The scale is the largest of three terms: the contribution of the spring, the contribution of the
-/// walls, and E[|g(y)|]. In a symmetric well without a wall both sides of the balance are 0. For
-/// such a well with unknown mean_absolute_force, use difference() instead of residual().
+/// walls, and E[|g(y)|]. In a symmetric well without a wall both sides of the momentum balance are
+/// 0. For a symmetric well with unknown mean_absolute_force, use side_difference()
+/// instead of relative_residual().
 BalanceEquation momentum_balance(const Problem& problem, const MomentumBalanceTerms& terms);
 
 }  // namespace fpkcheck::problem

@@ -70,25 +70,25 @@ const base::Parameter& case_file_parameter(std::string_view key,
 namespace {
 
 // The text of a value, and its location in the case file or in an override.
-struct Setting {
+struct CaseFileSetting {
   std::string text, where;
 };
-using Settings = std::map<std::string, Setting>;  // settings by key
+using CaseFileSettings = std::map<std::string, CaseFileSetting>;  // settings by key
 
-Settings settings_by_key(const std::vector<base::IniSetting>& file_settings) {
-  Settings settings;
+CaseFileSettings settings_by_key(const std::vector<base::IniSetting>& file_settings) {
+  CaseFileSettings settings;
   for (const auto& line : file_settings) {
-    case_file_parameter(line.path(), line.where);
-    if (!settings.emplace(line.path(), Setting{line.text, line.where}).second) {
+    case_file_parameter(line.section_and_key(), line.where);
+    if (!settings.emplace(line.section_and_key(), CaseFileSetting{line.text, line.where}).second) {
       throw InputError(
-          fmt::format("{}: key '{}' is given twice; keep one", line.where, line.path()));
+          fmt::format("{}: key '{}' is given twice; keep one", line.where, line.section_and_key()));
     }
   }
   return settings;
 }
 
 void apply_overrides(const std::vector<std::string>& overrides, const std::string& where,
-                     Settings& settings) {
+                     CaseFileSettings& settings) {
   std::set<std::string> set;
   for (const auto& pair : overrides) {
     const auto equals = pair.find('=');
@@ -125,7 +125,7 @@ bool formula_uses_name(std::string_view formula, std::string_view name) {
 
 // Requires that a formula uses each constant that an override adds. Without this requirement an
 // override with a misspelt name would have no effect.
-void require_used_constants(const Settings& from_file, const Settings& settings) {
+void require_used_constants(const CaseFileSettings& from_file, const CaseFileSettings& settings) {
   for (const auto& [key, setting] : settings) {
     if (!key.starts_with(kConstantsPrefix) || from_file.contains(key)) continue;
     const std::string name = key.substr(kConstantsPrefix.size());
@@ -144,7 +144,7 @@ constexpr const char *kLaw = "impulse.law", *kTable = "impulse.table", *kMean = 
                      *kIntensity = "impulse.intensity", *kRate = "impulse.rate";
 
 // Replaces the file name in `impulse.table` by the table literal of the contents of the file.
-void load_amplitude_table(Settings& settings, const std::filesystem::path& folder) {
+void load_amplitude_table(CaseFileSettings& settings, const std::filesystem::path& folder) {
   const auto table = settings.find(kTable);
   if (table == settings.end()) return;
   try {
@@ -156,7 +156,7 @@ void load_amplitude_table(Settings& settings, const std::filesystem::path& folde
 
 // Adds impulse.mean and impulse.intensity, computed from the amplitude table, to settings without
 // these keys.
-void add_moments_of_table(Settings& settings) {
+void add_moments_of_table(CaseFileSettings& settings) {
   const auto number = [&](const char* key) -> std::optional<double> {
     const auto found = settings.find(key);
     if (found == settings.end()) return std::nullopt;
@@ -171,15 +171,17 @@ void add_moments_of_table(Settings& settings) {
   }
   const AmplitudeTable table = parse_amplitude_table_literal(literal->second.text);
   const std::string where = literal->second.where;
-  if (!settings.contains(kMean)) settings[kMean] = {fmt::format("{}", table.mean()), where};
+  if (!settings.contains(kMean))
+    settings[kMean] = {fmt::format("{}", table.amplitude_mean()), where};
   const auto rate = number(kRate), mean = number(kMean);
   if (settings.contains(kIntensity) || !rate || !mean) return;
-  settings[kIntensity] = {fmt::format("{}", *rate * (table.variance() + *mean * *mean)), where};
+  settings[kIntensity] = {fmt::format("{}", *rate * (table.amplitude_variance() + *mean * *mean)),
+                          where};
 }
 
 // Parses the settings of one section; returns nullopt if an optional section has no settings.
 std::optional<CaseFileSection> parse_section(const base::DescriptionBase& description,
-                                             const Settings& settings) {
+                                             const CaseFileSettings& settings) {
   const std::string& prefix = description.prefix();
   const bool named = std::ranges::any_of(
       settings, [&](const auto& setting) { return setting.first.starts_with(prefix); });
@@ -207,7 +209,7 @@ std::optional<CaseFileSection> parse_section(const base::DescriptionBase& descri
 }
 
 // Parses the settings of [parameters]; returns nullopt without such settings.
-std::optional<CaseFileSection> parse_named_constants(const Settings& settings) {
+std::optional<CaseFileSection> parse_named_constants(const CaseFileSettings& settings) {
   CaseFileSection section{std::string(kConstantsPrefix.substr(0, kConstantsPrefix.size() - 1)), {}};
   for (const auto& [key, setting] : settings) {
     if (!key.starts_with(kConstantsPrefix)) continue;
@@ -220,7 +222,8 @@ std::optional<CaseFileSection> parse_named_constants(const Settings& settings) {
 }
 
 // Returns the location of the setting whose key is the first word of the message.
-std::optional<std::string> setting_location(const std::string& message, const Settings& settings) {
+std::optional<std::string> setting_location(const std::string& message,
+                                            const CaseFileSettings& settings) {
   for (const auto& [key, setting] : settings) {
     if (message.starts_with(key + ' ')) return setting.where;
   }
@@ -254,17 +257,17 @@ void require_valid_case_name(const std::string& name) {
 
 // Returns the text of the parameters that overrides change, such as ", r = 0.9, laplace impulses".
 // The text is appended to Problem::name.
-std::string overridden_parameters_text(const Settings& from_file, const Problem& problem) {
+std::string overridden_parameters_text(const CaseFileSettings& from_file, const Problem& problem) {
   constexpr std::size_t kLongest = 100;
   std::string text;
   int count = 0;
-  for (const auto& displayed : displayed_parameters(problem)) {
+  for (const auto& displayed : parameters_for_reports(problem)) {
     const std::string key = displayed.section + '.' + displayed.name;
     const auto& parameter = case_file_parameter(key, key);
     const auto before = from_file.find(key);
     auto value =
         before == from_file.end() ? parameter.default_value : parameter.parse(before->second.text);
-    if (value) value = display_value(parameter, *value);
+    if (value) value = reported_parameter_value(parameter, *value);
     if (value == displayed.value) continue;
     ++count;
     // Numbers have all digits, so that different problems have different names.
@@ -287,8 +290,8 @@ std::string overridden_parameters_text(const Settings& from_file, const Problem&
 }  // namespace
 
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
-                  const std::vector<std::string>& overrides, CaseNaming naming,
-                  TimeSection time_section) {
+                  const std::vector<std::string>& overrides, CaseNamingRule naming,
+                  TimeSectionPolicy time_section) {
   const std::string message_prefix = fmt::format("case {}", sanitise(source));
   return problem_from_settings(base::read_ini_settings(ini, message_prefix), name, message_prefix,
                                overrides, naming, std::filesystem::path(source).parent_path(),
@@ -297,12 +300,12 @@ Problem read_case(std::istream& ini, const std::string& name, std::string_view s
 
 Problem problem_from_settings(const std::vector<base::IniSetting>& file_settings,
                               const std::string& name, const std::string& message_prefix,
-                              const std::vector<std::string>& overrides, CaseNaming naming,
-                              const std::filesystem::path& folder, TimeSection time_section) {
+                              const std::vector<std::string>& overrides, CaseNamingRule naming,
+                              const std::filesystem::path& folder, TimeSectionPolicy time_section) {
   require_valid_case_name(name);
-  Settings from_file = settings_by_key(file_settings);
+  CaseFileSettings from_file = settings_by_key(file_settings);
   load_amplitude_table(from_file, folder);
-  Settings settings = from_file;
+  CaseFileSettings settings = from_file;
   apply_overrides(overrides, message_prefix, settings);
   require_used_constants(from_file, settings);
   load_amplitude_table(settings, {});
@@ -315,7 +318,7 @@ Problem problem_from_settings(const std::vector<base::IniSetting>& file_settings
     }
     if (auto one = parse_named_constants(settings)) sections.push_back(std::move(*one));
     Problem problem = problem_from_sections(name, sections, time_section);
-    if (naming == CaseNaming::with_overrides)
+    if (naming == CaseNamingRule::with_overrides)
       problem.name += overridden_parameters_text(from_file, problem);
     return problem;
   } catch (const InputError& error) {
@@ -325,7 +328,7 @@ Problem problem_from_settings(const std::vector<base::IniSetting>& file_settings
 }
 
 Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides,
-                  CaseNaming naming, TimeSection time_section) {
+                  CaseNamingRule naming, TimeSectionPolicy time_section) {
   if (const BuiltInCase* named = find_built_in_case(name_or_path)) {
     std::istringstream ini(named->text);
     return read_case(ini, named->name, named->name, overrides, naming, time_section);
@@ -334,7 +337,7 @@ Problem load_case(const std::string& name_or_path, const std::vector<std::string
   const auto text = base::read_input_file(name_or_path, kMostBytes);
   if (!text) {
     std::vector<std::string_view> names;
-    for (const auto* cases : {&paper_cases(), &example_systems()}) {
+    for (const auto* cases : {&paper_cases(), &example_oscillator_cases()}) {
       for (const auto& named : *cases) names.emplace_back(named.name);
     }
     throw InputError(fmt::format("no case {}: neither a readable file nor one of {}",

@@ -13,9 +13,9 @@
 namespace fpkcheck::problem {
 
 /// Rule that composes the name of a case with overrides.
-enum class CaseNaming {
-  /// The name of the case is the name of its file. Sweeps, which display the overrides themselves,
-  /// use this rule.
+enum class CaseNamingRule {
+  /// The name of the case is the name of its file. Sweeps use the rule `from_file`, since sweeps
+  /// display the overrides separately.
   from_file,
   with_overrides,  ///< name of the case file and changed parameters: "case1, r = 0.9"
 };
@@ -27,16 +27,16 @@ enum class CaseNaming {
 /// allowed values. A file name that cannot be printed is an error, since the file name becomes the
 /// name of the case.
 Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides = {},
-                  CaseNaming naming = CaseNaming::from_file,
-                  TimeSection time_section = TimeSection::refused);
+                  CaseNamingRule naming = CaseNamingRule::from_file,
+                  TimeSectionPolicy time_section = TimeSectionPolicy::refused);
 
 /// Reads a case from a stream with the contents of an ini file, by the rules of load_case().
 /// @param source name of the stream in messages; relative file names in the case refer to its
 /// folder
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
                   const std::vector<std::string>& overrides = {},
-                  CaseNaming naming = CaseNaming::from_file,
-                  TimeSection time_section = TimeSection::refused);
+                  CaseNamingRule naming = CaseNamingRule::from_file,
+                  TimeSectionPolicy time_section = TimeSectionPolicy::refused);
 
 /// Builds the problem of a case from the settings of an ini file by the rules of load_case().
 /// @param message_prefix beginning of error messages without a line number, such as "case mine.ini"
@@ -45,9 +45,9 @@ Problem read_case(std::istream& ini, const std::string& name, std::string_view s
 Problem problem_from_settings(const std::vector<base::IniSetting>& file_settings,
                               const std::string& name, const std::string& message_prefix,
                               const std::vector<std::string>& overrides = {},
-                              CaseNaming naming = CaseNaming::from_file,
+                              CaseNamingRule naming = CaseNamingRule::from_file,
                               const std::filesystem::path& folder = {},
-                              TimeSection time_section = TimeSection::refused);
+                              TimeSectionPolicy time_section = TimeSectionPolicy::refused);
 
 /// Returns the parameter that a key of a case file sets, e.g. "system.damping".
 /// @param message_prefix beginning of the error message
@@ -63,7 +63,7 @@ struct BuiltInCase {
 const std::vector<BuiltInCase>& paper_cases();
 
 /// Returns the example oscillators, each the simplest oscillator of its type in docs/systems.md.
-const std::vector<BuiltInCase>& example_systems();
+const std::vector<BuiltInCase>& example_oscillator_cases();
 
 /// Returns the case of the paper or the example oscillator with this name; null if there is none.
 const BuiltInCase* find_built_in_case(std::string_view name);

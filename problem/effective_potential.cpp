@@ -12,28 +12,29 @@
 namespace fpkcheck::problem {
 namespace {
 
-struct SearchInterval {
+struct RootSearchInterval {
   double low, high;
 };
 
-// Returns the interval in which the roots of a polynomial are searched. Its ends are the walls; on
-// a side without a wall the end is a bound of all roots. For a polynomial of a single term, whose
-// root is 0, root_modulus_bound() is 1, so that the interval contains the root.
-SearchInterval search_interval(const numerics::Polynomial& polynomial, const System& system) {
+// Returns the interval in which the roots of a polynomial are searched. The ends of the interval
+// are the walls; on a side without a wall the end is a bound of all roots. For a polynomial of a
+// single term, whose root is 0, root_modulus_bound() is 1, so that the interval contains the root.
+RootSearchInterval search_interval(const numerics::Polynomial& polynomial, const System& system) {
   const double bound = 2 * numerics::root_modulus_bound(polynomial) + 1;
   return {.low = system.left_wall() ? system.left_wall()->position : -bound,
           .high = system.right_wall() ? system.right_wall()->position : bound};
 }
 
-// Least and largest magnitude of the knots of the table, the powers of sqrt 2 with both signs.
+// Least and largest magnitude of the knots at which the potential of a formula is tabulated. The
+// knots are powers of sqrt 2 with both signs.
 constexpr double kNearestKnot = 1e-12, kFarthestKnot = 1e30;
 // The potential of a formula counts as infinite above kLargestPotential.
 constexpr double kLargestPotential = 1e200;
 
 }  // namespace
 
-std::vector<double> sign_change_points_between_walls(const numerics::Polynomial& polynomial,
-                                                     const System& system) {
+std::vector<double> polynomial_sign_changes_between_walls(const numerics::Polynomial& polynomial,
+                                                          const System& system) {
   const auto [low, high] = search_interval(polynomial, system);
   return low < high ? numerics::sign_change_points(polynomial, low, high) : std::vector<double>{};
 }
@@ -55,11 +56,11 @@ EffectivePotential::EffectivePotential(const Problem& problem)
   const auto [low, high] = search_interval(slope_polynomial_, system_);
   low_ = low;
   high_ = high;
-  extrema_ = sign_change_points_between_walls(slope_polynomial_, system_);
+  extrema_ = polynomial_sign_changes_between_walls(slope_polynomial_, system_);
   const std::size_t degree = slope_polynomial_.degree();
   const double leading = slope_polynomial_.coefficient(degree);
-  rises_on_right_ = leading > 0;
-  rises_on_left_ = (degree % 2 == 0 ? 1 : -1) * leading < 0;
+  is_unbounded_on_right_ = leading > 0;
+  is_unbounded_on_left_ = (degree % 2 == 0 ? 1 : -1) * leading < 0;
 }
 
 EffectivePotential::EffectivePotential(const System& system)
@@ -86,17 +87,19 @@ void EffectivePotential::tabulate_potential() {
   for (std::size_t n = middle; n-- > 0;) add(n + 1, n);
 
   const auto &left = system_.left_wall(), &right = system_.right_wall();
-  // Sign changes of V' are searched on a division of the panels.
+  // Sign changes of the slope V' of the potential are searched on subdivisions of the table's
+  // panels.
   constexpr int kDivisions = 4;
   double before = left ? left->position : knots_.front();
   low_ = left ? left->position : -1;
   high_ = right ? right->position : 1;
   const auto inspect = [&](double y) {
     if (y <= before || (right && y > right->position)) return;
-    if (slope(before) * slope(y) < 0) {
-      extrema_.push_back(numerics::bracketed_root([&](double x) { return slope(x); }, before, y));
+    if (potential_slope(before) * potential_slope(y) < 0) {
+      extrema_.push_back(
+          numerics::bracketed_root([&](double x) { return potential_slope(x); }, before, y));
     }
-    if (slope(y) != 0) before = y;
+    if (potential_slope(y) != 0) before = y;
   };
   for (std::size_t n = 0; n + 1 < knots_.size(); ++n) {
     for (int k = 1; k <= kDivisions; ++k) {
@@ -118,24 +121,25 @@ void EffectivePotential::tabulate_potential() {
     double sum = 0, squares = 0;
     for (int n = 1; n <= kSamples; ++n) {
       const double fraction = std::fmod(n * std::numbers::phi, 1.0);
-      const double outward = (far > 0 ? 1 : -1) * slope(far * (1 + fraction) / 2);
+      const double outward = (far > 0 ? 1 : -1) * potential_slope(far * (1 + fraction) / 2);
       sum += outward;
       squares += outward * outward;
     }
-    // The standard error of the mean is at most the root mean square divided by sqrt(kSamples).
+    // The standard error of the mean slope is at most the root mean square divided by
+    // sqrt(kSamples).
     const double mean = sum / kSamples, rms = std::sqrt(squares / kSamples);
     return mean > 5 * rms / std::sqrt(kSamples) &&
            at_far - before_far > 1e-12 * std::max(1.0, std::abs(at_far));
   };
   constexpr double kFar = 1e12;
-  rises_on_left_ = rises(-kFar);
-  rises_on_right_ = rises(kFar);
+  is_unbounded_on_left_ = rises(-kFar);
+  is_unbounded_on_right_ = rises(kFar);
 }
 
 double EffectivePotential::integrate_force_up_to(double y) const {
   using Gauss = boost::math::quadrature::gauss<double, 10>;
   if (y == 0) return 0;
-  // The index n is that of the knot between 0 and y that is nearest to y.
+  // The index n denotes the knot between 0 and y that is nearest to y.
   const auto after =
       y > 0 ? std::ranges::lower_bound(knots_, y) : std::ranges::upper_bound(knots_, y);
   const auto n = static_cast<std::size_t>(after - knots_.begin()) - (y > 0 ? 1 : 0);
@@ -149,7 +153,7 @@ double EffectivePotential::integrate_force_up_to(double y) const {
 std::optional<double> rest_displacement(const Problem& problem, double y_limit) {
   const System& system = problem.system;
   const auto excitation_ends_rest = [&](double rest) {
-    return problem.noise.is_present() || !problem.impulse_factor ||
+    return problem.noise.is_acting() || !problem.impulse_factor ||
            (*problem.impulse_factor)(rest, 0) != 0;
   };
   const auto& wall = system.left_wall();
@@ -157,13 +161,14 @@ std::optional<double> rest_displacement(const Problem& problem, double y_limit) 
     return excitation_ends_rest(wall->position) ? std::optional(wall->position) : std::nullopt;
   }
   const EffectivePotential potential(system);
-  // Distance at which the slopes beside a minimum are compared, in units of the range of the
-  // extrema
+  // Distance at which the slopes of the potential beside a minimum are compared, in units of the
+  // distance between the outermost extrema of the potential.
   constexpr double kBeside = 1e-4;
   const double beside = kBeside * (potential.y_high() - potential.y_low());
   std::optional<double> rest;
-  for (const double y : potential.extrema()) {
-    const bool is_minimum = potential.slope(y - beside) < 0 && potential.slope(y + beside) > 0;
+  for (const double y : potential.extremum_positions()) {
+    const bool is_minimum =
+        potential.potential_slope(y - beside) < 0 && potential.potential_slope(y + beside) > 0;
     if (y >= y_limit || !is_minimum || !excitation_ends_rest(y)) continue;
     if (!rest || potential(y) < potential(*rest)) rest = y;
   }

@@ -13,8 +13,8 @@ namespace fpkcheck::problem {
 numerics::Polynomial effective_potential_polynomial(const Problem& problem);
 
 /// Returns the points between the walls where a polynomial changes its sign, in increasing order.
-std::vector<double> sign_change_points_between_walls(const numerics::Polynomial& polynomial,
-                                                     const System& system);
+std::vector<double> polynomial_sign_changes_between_walls(const numerics::Polynomial& polynomial,
+                                                          const System& system);
 
 /// The effective potential V = U - lambda E[Y] y, a polynomial or the integral of a formula.
 class EffectivePotential {
@@ -27,20 +27,22 @@ class EffectivePotential {
     return polynomial_ ? (*polynomial_)(y) : integrate_force_up_to(y);
   }
   /// Returns the polynomial V; null for a formula.
-  const numerics::Polynomial* polynomial() const { return polynomial_ ? &*polynomial_ : nullptr; }
+  const numerics::Polynomial* polynomial_or_null() const {
+    return polynomial_ ? &*polynomial_ : nullptr;
+  }
   /// Returns the slope V'(y).
-  double slope(double y) const {
+  double potential_slope(double y) const {
     return polynomial_ ? slope_polynomial_(y) : system_.force(y, 0) - mean_force_;
   }
   /// Returns the displacements of the extrema of V between the walls, in increasing order. For a
   /// formula, the search can miss two extrema whose distance from each other is below 1/8 of their
   /// distance from y = 0.
-  const std::vector<double>& extrema() const { return extrema_; }
+  const std::vector<double>& extremum_positions() const { return extrema_; }
   /// Returns whether V increases without bound towards the left, and towards the right.
-  bool rises_on_left() const { return rises_on_left_; }
-  bool rises_on_right() const { return rises_on_right_; }
-  /// Return the ends of an interval that contains all extrema: the walls, or points beyond the
-  /// extrema.
+  bool is_unbounded_on_left() const { return is_unbounded_on_left_; }
+  bool is_unbounded_on_right() const { return is_unbounded_on_right_; }
+  /// Return the ends of an interval that contains all extrema of the potential: the walls, or
+  /// points beyond the extrema.
   double y_low() const { return low_; }
   double y_high() const { return high_; }
 
@@ -55,7 +57,7 @@ class EffectivePotential {
   std::vector<double> knots_, values_;  // V of a formula at the knots, increasing
   std::vector<double> extrema_;
   double low_ = 0, high_ = 0;
-  bool rises_on_left_ = false, rises_on_right_ = false;
+  bool is_unbounded_on_left_ = false, is_unbounded_on_right_ = false;
 };
 
 /// Returns the displacement at which the mass rests without excitation: the left wall, if no force

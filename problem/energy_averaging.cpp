@@ -25,14 +25,16 @@ EnergyAveraging::EnergyAveraging(const Problem& problem) : orbits_(problem) {
   double low = 0, high = 0;
   if (!find_energy_range(low, high)) return;
   compute_energy_bands(low, high);
-  if (bands_.empty()) unconfined_reason_ = "the potential of the force has no resolved levels";
+  if (bands_.empty())
+    reason_for_unconfined_motion_ = "the potential of the force has no resolved levels";
 }
 
 double EnergyAveraging::phi_slope(const OrbitIntegrals& orbit) const {
   return orbit.diffusion > 0 ? orbit.loss / orbit.diffusion : 0;
 }
 
-// Integrates dPhi/dh over the energy h, from the lowest potential upwards in growing steps.
+// Integrates the slope dPhi/dh, where exp(-Phi(h)) approximates the density of the energy h, from
+// the lowest potential upwards in growing steps.
 bool EnergyAveraging::find_energy_range(double& low, double& high) {
   constexpr double kSmallest = 1e-40, kLargest = 1e60, kGrowth = 1.25;
   const double bottom = orbits_.lowest_potential();
@@ -67,14 +69,14 @@ bool EnergyAveraging::find_energy_range(double& low, double& high) {
       // supplies energy may dominate.
       for (double farther = 1e4 * above; farther < kLargest; farther *= 1e4) {
         if (!(slope_at(farther).value_or(0) < 0)) continue;
-        unconfined_reason_ = kNoDissipation;
+        reason_for_unconfined_motion_ = kNoDissipation;
         return false;
       }
       const auto within = [&](const Level& level) { return level.phi <= least + kDepth; };
       const auto first = std::ranges::find_if(levels, within);
       low = bottom + (first == levels.begin() ? 0.0 : std::prev(first)->above);
-      // The upper energy is interpolated within the last step, in which Phi may increase by far
-      // more than kDepth.
+      // The upper end of the energy range is interpolated within the last step, in which Phi, the
+      // negative logarithm of the density, may increase by far more than kDepth.
       const auto last = std::find_if(levels.rbegin(), levels.rend(), within);
       const auto next = std::prev(last);
       const double share = (least + kDepth - last->phi) / (next->phi - last->phi);
@@ -82,9 +84,9 @@ bool EnergyAveraging::find_energy_range(double& low, double& high) {
       return true;
     }
   }
-  unconfined_reason_ = levels.back().phi > least
-                           ? "the damping at large energies is too weak to confine the motion"
-                           : kNoDissipation;
+  reason_for_unconfined_motion_ =
+      levels.back().phi > least ? "the damping at large energies is too weak to confine the motion"
+                                : kNoDissipation;
   return false;
 }
 
@@ -184,10 +186,11 @@ double slowest_relaxation_rate(const DiffusionTree& tree, std::vector<double> in
 }
 
 double EnergyAveraging::relaxation_rate() const {
-  assert(!unconfined_reason_);
+  assert(!reason_for_unconfined_motion_);
   const std::size_t n = bands_.size();
   DiffusionTree tree;
-  // The normalisation constant of the probabilities also divides the conductances.
+  // The normalisation constant of the node probabilities also divides the conductances between the
+  // nodes of the tree.
   double unit = 0;
   for (const EnergyBand& band : bands_) unit += band.orbit.period * std::exp(-band.potential);
   std::vector<double> start(n);

@@ -33,13 +33,16 @@ class EnergyAveraging {
 
   /// Returns the reason, in one phrase, why the motion is not confined. The result is empty for
   /// confined motion, for which Phi(h) increases at the largest energies h.
-  const std::optional<std::string>& unconfined_reason() const { return unconfined_reason_; }
+  const std::optional<std::string>& reason_for_unconfined_motion() const {
+    return reason_for_unconfined_motion_;
+  }
 
   /// The undamped orbits of one well in an interval of energies, with their stationary probability.
   struct EnergyBand {
     double energy;  ///< energy at the middle of the band
     OrbitIntegrals orbit;
-    /// Value of Phi at the energy, shifted such that the minimum over all bands is 0.
+    /// Value of Phi, the negative logarithm of the density at the energy of the band, shifted such
+    /// that the minimum over all bands is 0.
     double potential;
     double mass = 0;  ///< probability of the band; the probabilities of all bands have the sum 1
     /// Index of the next higher band in the tree of orbits; for the top band its own index.
@@ -48,7 +51,7 @@ class EnergyAveraging {
   /// Returns all bands, sorted by energy.
   /// @pre the motion is confined
   const std::vector<EnergyBand>& energy_bands() const {
-    assert(!unconfined_reason_);
+    assert(!reason_for_unconfined_motion_);
     return bands_;
   }
 
@@ -61,13 +64,14 @@ class EnergyAveraging {
  private:
   /// Returns dPhi/dh at the energy of an orbit, from the integrals over this orbit alone.
   double phi_slope(const OrbitIntegrals& orbit) const;
-  /// Finds the interval of energies h in which Phi(h) exceeds the minimum of Phi by at most kDepth.
+  /// Finds the interval of energies h in which the exponent Phi(h) of the density exp(-Phi(h))
+  /// exceeds its minimum by at most kDepth.
   /// @return false if the motion is not confined
   bool find_energy_range(double& low, double& high);
   void compute_energy_bands(double lowest, double highest);
 
   UndampedOrbits orbits_;
-  std::optional<std::string> unconfined_reason_;
+  std::optional<std::string> reason_for_unconfined_motion_;
   std::vector<EnergyBand> bands_;
   double step_ = 0;  // width of an energy band
 };

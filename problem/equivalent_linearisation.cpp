@@ -47,8 +47,8 @@ bool has_equivalent_linearisation(const Problem& problem) {
   const auto& g = system.restoring_force().coefficients();
   return system.left_wall() && system.left_wall()->position == 0 && !system.right_wall() &&
          system.has_constant_damping() && system.damping() > 0 && g[0] == 0 && g[1] >= 0 &&
-         g[2] == 0 && g[3] >= 0 && g[5] == 0 && g[1] + g[3] > 0 && problem.impulses.is_present() &&
-         !problem.noise.is_present();
+         g[2] == 0 && g[3] >= 0 && g[5] == 0 && g[1] + g[3] > 0 && problem.impulses.is_acting() &&
+         !problem.noise.is_acting();
 }
 
 EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
@@ -59,8 +59,8 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
     // The ratio sigma_2 / sigma_1 is sqrt(k_eq).
     return system.damping() + (1 - system.restitution()) * 2 / std::numbers::pi * std::sqrt(k_eq);
   };
-  // The equation sigma_1^2 k_eq c_eq = D2 has exactly one root sigma_1, since its left side
-  // increases from 0 without bound.
+  // The equation sigma_1^2 k_eq c_eq = D2 has exactly one root, the standard deviation sigma_1 of
+  // the displacement, since the left side of the equation increases from 0 without bound.
   const auto excess = [&](double s1) {
     const double k_eq = stiffness(s1);
     return s1 * s1 * k_eq * damping(k_eq) - d2;

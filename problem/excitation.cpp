@@ -98,7 +98,7 @@ ImpulseTrain ImpulseTrain::with_rate_multiplied_by(double factor) const {
 }
 
 ImpulseTrain ImpulseTrain::with_negated_amplitudes() const {
-  if (!is_present()) return *this;
+  if (!is_acting()) return *this;
   ImpulseParameters parameters = parameters_;
   parameters.mean = -parameters.mean;
   const ImpulseLaw law = law_.with_negated_amplitudes();

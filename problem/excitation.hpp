@@ -17,7 +17,7 @@ struct WhiteNoise {
 
   /// Returns the diffusion coefficient D, the coefficient of p'' in the density equation.
   double diffusion() const { return intensity / 2; }
-  bool is_present() const { return intensity > 0; }
+  bool is_acting() const { return intensity > 0; }
 };
 
 const base::Description<WhiteNoise>& noise_parameter_description();
@@ -49,9 +49,9 @@ class ImpulseTrain {
   /// @throws InputError that states the invalid parameter, its value and the allowed range
   explicit ImpulseTrain(const ImpulseParameters& parameters);
 
-  const ImpulseParameters& parameters() const { return parameters_; }
+  const ImpulseParameters& impulse_parameters() const { return parameters_; }
   /// Returns whether the arrival rate of impulses is positive.
-  bool is_present() const { return arrival_rate() > 0; }
+  bool is_acting() const { return arrival_rate() > 0; }
   double arrival_rate() const { return parameters_.arrival_rate; }
   const ImpulseLaw& amplitude_law() const { return law_; }
 

@@ -29,7 +29,7 @@ double raw_moment(const Law& law, int j) {
   const double variance = law.standard_deviation() * law.standard_deviation();
   double sum = 0;
   for (int n = 0; n <= j; ++n) {
-    const double standardised = law.standardised_moment(n);
+    const double standardised = law.standardised_amplitude_moment(n);
     if (standardised == 0) continue;
     sum += boost::math::binomial_coefficient<double>(j, n) * std::pow(law.mean, j - n) *
            standardised * std::pow(variance, n / 2.0);
@@ -130,7 +130,7 @@ double ImpulseLaw::deviation() const {
 }
 
 double ImpulseLaw::skewness() const {
-  return std::visit([](const auto& law) { return law.standardised_moment(3); }, law_);
+  return std::visit([](const auto& law) { return law.standardised_amplitude_moment(3); }, law_);
 }
 
 bool ImpulseLaw::is_symmetric() const {
@@ -145,12 +145,12 @@ double ImpulseLaw::cumulative_probability(double amplitude) const {
   return std::visit([&](const auto& law) { return law.cumulative_probability(amplitude); }, law_);
 }
 
-std::vector<AmplitudeAtom> ImpulseLaw::atoms() const {
-  return std::visit([](const auto& law) { return law.atoms(); }, law_);
+std::vector<AmplitudeAtom> ImpulseLaw::amplitude_atoms() const {
+  return std::visit([](const auto& law) { return law.amplitude_atoms(); }, law_);
 }
 
-std::vector<double> ImpulseLaw::density_breakpoints() const {
-  return std::visit([](const auto& law) { return law.density_breakpoints(); }, law_);
+std::vector<double> ImpulseLaw::amplitude_density_breakpoints() const {
+  return std::visit([](const auto& law) { return law.amplitude_density_breakpoints(); }, law_);
 }
 
 }  // namespace fpkcheck::problem

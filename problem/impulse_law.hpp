@@ -57,11 +57,11 @@ class ImpulseLaw {
   double cumulative_probability(double amplitude) const;
   /// Returns the amplitudes with positive probability, in increasing order. The list is empty for a
   /// law with a density.
-  std::vector<AmplitudeAtom> atoms() const;
+  std::vector<AmplitudeAtom> amplitude_atoms() const;
   /// Returns increasing break points between which the density of Y is smooth. The list is empty
   /// for a law without a density. The probability outside the range of the break points is below
   /// 1e-18.
-  std::vector<double> density_breakpoints() const;
+  std::vector<double> amplitude_density_breakpoints() const;
 
  private:
   LawVariant law_;

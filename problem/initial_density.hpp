@@ -16,8 +16,8 @@ struct InitialGaussian {
 
 /// Initial density of a computation over time, in physical coordinates.
 struct InitialDensityOptions {
-  /// Standard deviations of y and y'. An absent value is replaced by half of the standard deviation
-  /// in MotionScales.
+  /// Standard deviations of y and y'. An absent standard deviation of the initial density is
+  /// replaced by half of the stationary standard deviation in MotionScales.
   std::optional<double> displacement_deviation = {}, velocity_deviation = {};
   /// Mean displacement and mean velocity. An absent mean velocity is replaced by 0. An absent mean
   /// displacement is replaced by the wall position for the paper's oscillator, otherwise by the

@@ -12,7 +12,8 @@
 namespace fpkcheck::problem {
 namespace {
 
-// Ends of the motion in standard deviations: the Gaussian density is there exp(-7^2/2) of its peak.
+// Distance in standard deviations from the mean to the ends of the motion. At this distance a
+// Gaussian density is exp(-7^2/2) times its peak.
 constexpr double kDeviations = 7;
 
 MotionScales scales_from_linearisation(const Problem& problem) {

@@ -30,7 +30,7 @@ struct MotionScales {
 MotionScales motion_scales(const Problem& problem);
 
 /// Computes the motion scales of a problem from the energy averaging of the problem.
-/// @pre the motion is confined: averaging.unconfined_reason() is empty
+/// @pre the motion is confined: averaging.reason_for_unconfined_motion() is empty
 MotionScales scales_from_energy_averaging(const Problem& problem, const EnergyAveraging& averaging);
 
 /// Returns the fraction 1 - exp(-slowest_decay_rate T) of the slowest deviation from the stationary

@@ -27,29 +27,29 @@ class NoiseFactor {
 
   double operator()(double y, double v) const { return g_(y, v); }
   /// Returns G = g^2.
-  double squared(double y, double v) const {
+  double squared_factor(double y, double v) const {
     const double g = g_(y, v);
     return g * g;
   }
   /// Returns dG/dv = 2 g dg/dv.
-  double square_slope_in_v(double y, double v) const {
+  double squared_factor_slope_in_v(double y, double v) const {
     const numerics::DualNumber g = g_.with_slope_in_v(y, v);
     return 2 * g.value * g.derivative;
   }
-  /// Computes g at `count` <= Expression::kBatch points, faster than by single evaluations.
+  /// Computes g at `count` <= Expression::kBatchPoints points, faster than by single evaluations.
   void evaluate_batch(std::size_t count, const double* y, const double* v, double* g) const {
     g_.evaluate_batch(count, y, v, g);
   }
 
-  /// Computes dG/dv = 2 g dg/dv at `count` <= Expression::kBatch points.
-  void evaluate_square_slopes_in_v(std::size_t count, const double* y, const double* v,
-                                   double* slopes) const {
-    std::array<double, Expression::kBatch> g{};
-    g_.evaluate_batch_with_slopes_in_v(count, y, v, g.data(), slopes);
+  /// Computes dG/dv = 2 g dg/dv at `count` <= Expression::kBatchPoints points.
+  void evaluate_squared_factor_slopes_in_v(std::size_t count, const double* y, const double* v,
+                                           double* slopes) const {
+    std::array<double, Expression::kBatchPoints> g{};
+    g_.evaluate_batch_with_velocity_slopes(count, y, v, g.data(), slopes);
     for (std::size_t k = 0; k < count; ++k) slopes[k] *= 2 * g[k];
   }
 
-  const std::string& formula_text() const { return g_.formula().text(); }
+  const std::string& formula_text() const { return g_.formula().formula_text(); }
   bool depends_on_v() const { return g_.formula().depends_on_v(); }
   bool has_jumps() const { return g_.formula().has_jumps(); }
   bool has_kinks() const { return g_.formula().has_kinks(); }
@@ -58,7 +58,7 @@ class NoiseFactor {
   /// Returns the values of v in (low, high) at which g or its slope jumps, in increasing order.
   std::vector<double> kinks_in_v(double low, double high) const { return g_.kinks_in_v(low, high); }
   /// Returns the parity of g under (y, v) -> (-y, -v) in physical coordinates.
-  Parity parity() const { return g_.formula().parity(); }
+  FunctionParity parity() const { return g_.formula().parity(); }
 
   /// Returns the factor as a function of wall coordinates.
   NoiseFactor to_wall_coordinates(const WallFrame& frame) const {

@@ -42,7 +42,7 @@ std::optional<Problem> with_parameter_value(const Problem& problem, const std::s
 
 std::vector<std::string> differentiable_parameters(const Problem& problem) {
   std::vector<std::string> keys;
-  for (const DisplayedParameter& p : displayed_parameters(problem)) {
+  for (const ReportedParameter& p : parameters_for_reports(problem)) {
     const bool is_position = p.section == "wall" && (p.name == "left" || p.name == "right");
     const std::string key = p.section + '.' + p.name;
     if (!p.is_default && !is_position && std::holds_alternative<double>(p.value)) {
@@ -52,8 +52,9 @@ std::vector<std::string> differentiable_parameters(const Problem& problem) {
   return keys;
 }
 
-ParameterDerivative parameter_derivative(const Problem& problem, const std::string& parameter,
-                                         double relative_step) {
+ParameterDifferenceQuotient parameter_difference_quotient(const Problem& problem,
+                                                          const std::string& parameter,
+                                                          double relative_step) {
   auto all = case_file_sections(problem);
   const double* value = find_parameter_value(all, parameter);
   if (value == nullptr || parameter == "wall.left" || parameter == "wall.right") {
@@ -61,14 +62,15 @@ ParameterDerivative parameter_derivative(const Problem& problem, const std::stri
                                  base::in_quotes(parameter),
                                  fmt::join(differentiable_parameters(problem), ", ")));
   }
-  ParameterDerivative derivative{parameter, *value, {}};
+  ParameterDifferenceQuotient derivative{parameter, *value, {}};
   const double widest = relative_step * (*value == 0 ? 1 : std::abs(*value));
   double step = widest;
   const auto at = [&](double steps) {
     return with_parameter_value(problem, parameter, *value + steps * step);
   };
-  // A function of the parameter may change strongly close to an end of the range. The step is
-  // therefore at most about a quarter of the distance to the end.
+  // A function of a parameter may change strongly close to an end of the parameter's range. The
+  // step of the difference quotient is therefore at most about a quarter of the distance from the
+  // parameter value to the end of the range.
   constexpr int kMostHalvings = 5;
   for (int n = 0; n < kMostHalvings && (!at(4) || !at(-4)); ++n) step /= 2;
   if (!at(1) || !at(-1)) step = widest;

@@ -16,7 +16,7 @@ struct WeightedProblem {
 /// Difference quotient of second order for the derivative with respect to one parameter theta. For
 /// a function F of the problem, dF/dtheta is approximately the sum of weight F(problem) over all
 /// terms.
-struct ParameterDerivative {
+struct ParameterDifferenceQuotient {
   std::string parameter;  ///< key of the case file, such as "system.damping"
   double value;           ///< value of the parameter
   std::vector<WeightedProblem> terms;
@@ -32,7 +32,8 @@ std::vector<std::string> differentiable_parameters(const Problem& problem);
 /// @param relative_step largest step relative to the value of the parameter; for the value 0 the
 /// largest absolute step
 /// @throws InputError if the problem has no such parameter, or if no step leaves the problem valid
-ParameterDerivative parameter_derivative(const Problem& problem, const std::string& parameter,
-                                         double relative_step);
+ParameterDifferenceQuotient parameter_difference_quotient(const Problem& problem,
+                                                          const std::string& parameter,
+                                                          double relative_step);
 
 }  // namespace fpkcheck::problem

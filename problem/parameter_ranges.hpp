@@ -25,7 +25,7 @@ void require_magnitudes_in_range(const base::Description<Owner>& description, co
   require_magnitudes_in_range(description.prefix(), description.values(owner));
 }
 
-inline base::AdmissibleRange restitution_range() {
+inline base::AdmissibleRange admissible_restitution_range() {
   return {[](double r) { return r > 0 && r <= 1; }, "above 0 and at most 1"};
 }
 

@@ -69,7 +69,7 @@ void set_noise_factor(Problem& problem) {
     throw InputError("noise.interpretation is given without noise.factor; remove it");
   }
   if (!noise.factor) return;
-  if (!noise.is_present()) {
+  if (!noise.is_acting()) {
     throw InputError("noise.factor is given, but noise.intensity is 0; give the intensity 2D");
   }
   NoiseFactor factor(*noise.factor, problem.system.named_constants());
@@ -88,7 +88,7 @@ void set_noise_factor(Problem& problem) {
 
 // Sets the factor of parametric impulses, a formula of y alone.
 void set_impulse_factor(Problem& problem) {
-  const auto& formula = problem.impulses.parameters().factor;
+  const auto& formula = problem.impulses.impulse_parameters().factor;
   if (!formula) return;
   problem.impulse_factor.emplace(
       Expression::parse(*formula, problem.system.named_constants(), "impulse.factor", "y"));
@@ -97,11 +97,11 @@ void set_impulse_factor(Problem& problem) {
 // Sets the changes of the excitation in time.
 void set_time_dependence(const std::vector<CaseFileSection>& sections, Problem& problem) {
   const auto formulas = read_section(sections, "time", time_parameter_description());
-  problem.time = TimeDependence(formulas, problem.system.named_constants());
-  if (problem.time.has_rate_factor() && !problem.impulses.is_present()) {
+  problem.time = ExcitationTimeDependence(formulas, problem.system.named_constants());
+  if (problem.time.has_rate_factor() && !problem.impulses.is_acting()) {
     throw InputError("time.rate is given without [impulse]; remove it, or add impulses");
   }
-  if (problem.time.has_intensity_factor() && !problem.noise.is_present()) {
+  if (problem.time.has_intensity_factor() && !problem.noise.is_acting()) {
     throw InputError("time.intensity is given without [noise]; remove it, or add noise");
   }
   // The equations of Ito and Stratonovich differ by the drift D G_v / 2. Under an intensity that
@@ -135,7 +135,7 @@ Problem without_noise(Problem problem) {
 
 double noise_diffusion_coefficient(const Problem& problem, double y, double v) {
   return problem.noise.diffusion() *
-         (problem.noise_factor ? problem.noise_factor->squared(y, v) : 1);
+         (problem.noise_factor ? problem.noise_factor->squared_factor(y, v) : 1);
 }
 
 double squared_impulse_factor(const Problem& problem, double y) {
@@ -215,22 +215,24 @@ std::vector<CaseFileSection> case_file_sections(const Problem& problem) {
     all.push_back(std::move(constants));
   }
   const WallParameters& walls = problem.system.wall_parameters();
-  if (!walls.empty()) all.push_back({"wall", wall_parameter_description().stored_values(walls)});
-  if (problem.impulses.is_present()) {
-    all.push_back(
-        {"impulse", impulse_parameter_description().stored_values(problem.impulses.parameters())});
+  if (!walls.is_section_absent())
+    all.push_back({"wall", wall_parameter_description().stored_values(walls)});
+  if (problem.impulses.is_acting()) {
+    all.push_back({"impulse", impulse_parameter_description().stored_values(
+                                  problem.impulses.impulse_parameters())});
   }
-  if (problem.noise.is_present()) {
+  if (problem.noise.is_acting()) {
     all.push_back({"noise", noise_parameter_description().stored_values(problem.noise)});
   }
-  if (problem.time.is_present()) {
-    all.push_back({"time", time_parameter_description().stored_values(problem.time.formulas())});
+  if (problem.time.is_acting()) {
+    all.push_back(
+        {"time", time_parameter_description().stored_values(problem.time.time_formulas())});
   }
   return all;
 }
 
 Problem problem_from_sections(const std::string& name, const std::vector<CaseFileSection>& sections,
-                              TimeSection time_section) {
+                              TimeSectionPolicy time_section) {
   const CaseFileSection* system = find_section(sections, kSystem);
   if (system == nullptr) {
     throw InputError(
@@ -252,7 +254,7 @@ Problem problem_from_sections(const std::string& name, const std::vector<CaseFil
   set_noise_factor(problem);
   set_impulse_factor(problem);
   set_time_dependence(sections, problem);
-  if (problem.time.is_present() && time_section == TimeSection::refused) {
+  if (problem.time.is_acting() && time_section == TimeSectionPolicy::refused) {
     throw InputError(
         "the section [time] changes the excitation in time, so that there is no stationary "
         "density; compute densities over time: fpkcheck run CASE --until T");
@@ -261,14 +263,14 @@ Problem problem_from_sections(const std::string& name, const std::vector<CaseFil
   return problem;
 }
 
-base::Value display_value(const base::Parameter& parameter, const base::Value& value) {
+base::Value reported_parameter_value(const base::Parameter& parameter, const base::Value& value) {
   const auto* word = std::get_if<std::string>(&value);
   return word != nullptr && parameter.display_text ? base::Value(parameter.display_text(*word))
                                                    : value;
 }
 
-std::vector<DisplayedParameter> displayed_parameters(const Problem& problem) {
-  std::vector<DisplayedParameter> displayed;
+std::vector<ReportedParameter> parameters_for_reports(const Problem& problem) {
+  std::vector<ReportedParameter> displayed;
   for (const CaseFileSection& section : case_file_sections(problem)) {
     if (section.name == kParameters) {
       for (const auto& [name, value] : section.values) {
@@ -282,15 +284,16 @@ std::vector<DisplayedParameter> displayed_parameters(const Problem& problem) {
     for (const auto& [name, value] : section.values) {
       const auto& parameter = *(*description)->find(name);
       displayed.push_back({section.name, name, parameter.symbol, parameter.typeset, parameter.help,
-                           display_value(parameter, value), parameter.default_value == value});
+                           reported_parameter_value(parameter, value),
+                           parameter.default_value == value});
     }
   }
   return displayed;
 }
 
-std::string parameters_text(const Problem& problem, bool typeset) {
+std::string non_default_parameters_text(const Problem& problem, bool typeset) {
   std::vector<std::string> of_system, of_excitation;
-  for (const auto& p : displayed_parameters(problem)) {
+  for (const auto& p : parameters_for_reports(problem)) {
     if (p.is_default) continue;
     const bool moves = p.section == kSystem || p.section == kParameters || p.section == "wall";
     auto& part = moves ? of_system : of_excitation;
@@ -375,7 +378,7 @@ void require_defined_restoring_force(const System& system) {
 }  // namespace
 
 void require_stationary_density(const Problem& problem) {
-  if (!problem.impulses.is_present() && !problem.noise.is_present()) {
+  if (!problem.impulses.is_acting() && !problem.noise.is_acting()) {
     throw InputError(
         "nothing excites the oscillator: add [impulse] with rate, law and intensity, or [noise] "
         "with intensity");
@@ -399,7 +402,7 @@ void require_stationary_density(const Problem& problem) {
   // and the damping dissipates energy.
   if (has_equivalent_linearisation(problem)) return;
   const EnergyAveraging averaging(problem);
-  if (const auto& why = averaging.unconfined_reason()) {
+  if (const auto& why = averaging.reason_for_unconfined_motion()) {
     throw InputError(fmt::format(
         "there is no stationary density: {}; {}, or give a wall a restitution below 1", *why,
         has_formula ? "add damping to system.force, such as 0.1*v"

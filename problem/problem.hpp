@@ -24,7 +24,7 @@ struct Problem {
   std::optional<StateFunction> impulse_factor = {};
   /// Changes of the excitation in time, for densities over time. All other computations require a
   /// constant excitation.
-  TimeDependence time = {};
+  ExcitationTimeDependence time = {};
   /// Transformation between the coordinate of `system` and the physical coordinate y. Solvers
   /// return moments of the physical coordinate y.
   WallFrame frame = {};
@@ -70,7 +70,7 @@ const base::Parameter& named_constant_parameter(std::string_view name);
 std::vector<CaseFileSection> case_file_sections(const Problem& problem);
 
 /// Whether a case file may contain the section [time], for densities over time.
-enum class TimeSection { refused, allowed };
+enum class TimeSectionPolicy { refused, allowed };
 
 /// Builds the problem from the sections of a case file.
 /// @param time_section whether the sections may contain the section [time]
@@ -78,10 +78,10 @@ enum class TimeSection { refused, allowed };
 /// has the wrong type or is out of range, or if [time] is refused; also the exceptions of
 /// require_stationary_density()
 Problem problem_from_sections(const std::string& name, const std::vector<CaseFileSection>& sections,
-                              TimeSection time_section = TimeSection::refused);
+                              TimeSectionPolicy time_section = TimeSectionPolicy::refused);
 
 /// A parameter of a problem as displayed in reports.
-struct DisplayedParameter {
+struct ReportedParameter {
   std::string section, name;  ///< section and name of the parameter: "system", "damping"
   /// Plain and typeset symbol, such as "mu" and "μ"; empty for a parameter without a symbol.
   std::string symbol, typeset;
@@ -91,15 +91,15 @@ struct DisplayedParameter {
 };
 
 /// Returns all parameters of a problem, in the order of the case file.
-std::vector<DisplayedParameter> displayed_parameters(const Problem& problem);
+std::vector<ReportedParameter> parameters_for_reports(const Problem& problem);
 /// Returns the value of a parameter for reports. A long text, such as an amplitude table, is
 /// replaced by the display text of the parameter.
-base::Value display_value(const base::Parameter& parameter, const base::Value& value);
+base::Value reported_parameter_value(const base::Parameter& parameter, const base::Value& value);
 
 /// Returns, in one line, all parameters of a problem that differ from their defaults, such as "c =
 /// 0.1, k = 1, mu = 0.1, r = 0.98; gaussian impulses, lambda = 1".
 /// @param typeset whether to use typeset symbols: "μ = 0.1"
-std::string parameters_text(const Problem& problem, bool typeset = false);
+std::string non_default_parameters_text(const Problem& problem, bool typeset = false);
 
 /// Requires the conditions under which the oscillator has a stationary density under the constant
 /// excitation, without the section [time]: an excitation, a restoring force that confines the

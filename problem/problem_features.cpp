@@ -17,14 +17,15 @@ ProblemFeatures problem_features(const Problem& problem) {
   const System& system = problem.system;
   ProblemFeatures result{.no_wall = !system.left_wall() && !system.right_wall(),
                          .two_walls = system.left_wall() && system.right_wall(),
-                         .noise = problem.noise.is_present(),
-                         .impulses = problem.impulses.is_present(),
+                         .noise = problem.noise.is_acting(),
+                         .impulses = problem.impulses.is_acting(),
                          .constant_damping = system.has_constant_damping()};
   const auto& c = system.coefficients();
   result.negative_damping = c.damping < 0 || c.van_der_pol < 0 || c.rayleigh < 0;
   const auto inspect_wall = [&](const std::optional<Wall>& wall, double towards) {
     if (!wall) return;
-    // The force on the mass is -g, which presses the mass against a left wall if g > 0 at the wall.
+    // The restoring force on the mass is -g(y), which presses the mass against a left wall if g > 0
+    // at the wall.
     const double pressing = -towards * system.force(wall->position, 0);
     const bool is_elastic = wall->has_constant_restitution() && wall->restitution == 1;
     if (pressing > 0 && !is_elastic && !result.noise) result.rests_in_contact = true;
@@ -52,7 +53,7 @@ std::string polynomial_method_unsupported_reason(const Problem& problem) {
 }
 
 std::string inelastic_collapse_reason(const Problem& problem, DensityEquation equation) {
-  const bool noise = problem.noise.is_present();
+  const bool noise = problem.noise.is_acting();
   if (!noise && equation != DensityEquation::white) return "";
   for (const auto& wall : {problem.system.left_wall(), problem.system.right_wall()}) {
     if (!wall || wall->restitution > kCollapseRestitution) continue;

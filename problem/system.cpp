@@ -44,7 +44,7 @@ const Description<SystemCoefficients>& system_parameter_description() {
           .with_symbol("f", "f")
           .with_default_omitted_from_files(Value())
           .add("restitution", &C::restitution, {"R", "coefficient of restitution"},
-               restitution_range())
+               admissible_restitution_range())
           .with_symbol("r", "r")
           .with_default_omitted_from_files(Value());
   return description;
@@ -52,13 +52,13 @@ const Description<SystemCoefficients>& system_parameter_description() {
 
 namespace {
 
-struct Monomial {
+struct ForceMonomial {
   int y_power, v_power;
   double SystemCoefficients::*coefficient;
 };
 
 /// The monomials y^i v^j of the force, with the coefficient of each monomial.
-constexpr Monomial kMonomials[] = {
+constexpr ForceMonomial kMonomials[] = {
     {0, 0, &SystemCoefficients::constant},    {1, 0, &SystemCoefficients::stiffness},
     {2, 0, &SystemCoefficients::quadratic},   {3, 0, &SystemCoefficients::cubic},
     {5, 0, &SystemCoefficients::quintic},     {0, 1, &SystemCoefficients::damping},
@@ -77,12 +77,12 @@ void require_magnitude_in_range(int i, int j, double coefficient) {
 // Sets the coefficients of a polynomial formula. Returns false if the formula contains a term that
 // is not in kMonomials.
 bool set_coefficients_of_formula(const Expression& formula, SystemCoefficients& c) {
-  for (const Monomial& term : kMonomials) c.*term.coefficient = 0;
+  for (const ForceMonomial& term : kMonomials) c.*term.coefficient = 0;
   const auto polynomial = formula.polynomial_coefficients();
   if (!polynomial) return false;
   SystemCoefficients of_formula = c;
   for (const auto& monomial : *polynomial) {
-    const auto term = std::ranges::find_if(kMonomials, [&](const Monomial& known) {
+    const auto term = std::ranges::find_if(kMonomials, [&](const ForceMonomial& known) {
       return std::pair(known.y_power, known.v_power) == monomial.first;
     });
     if (term == std::end(kMonomials)) return false;
@@ -166,17 +166,17 @@ System System::to_wall_coordinates(const WallFrame& frame) const {
   };
   transformed.walls_ = {.left = moved(frame.mirrored ? walls_.right : walls_.left),
                         .right = moved(frame.mirrored ? walls_.left : walls_.right)};
-  transformed.force_ =
-      force_.compose_affine(frame.origin, frame.sign()).multiplied_by(frame.sign());
+  transformed.force_ = force_.compose_affine(frame.origin, frame.velocity_sign())
+                           .multiplied_by(frame.velocity_sign());
   transformed.tangent_ = transformed.force_.derivative();
   transformed.potential_ = transformed.force_.antiderivative();
-  transformed.damping_ = damping_.compose_affine(frame.origin, frame.sign());
+  transformed.damping_ = damping_.compose_affine(frame.origin, frame.velocity_sign());
   transformed.damping_slope_ = transformed.damping_.derivative();
   if (formula_) transformed.formula_ = formula_->to_wall_coordinates(frame);
   if (stratonovich_factor_) {
     transformed.stratonovich_factor_ = stratonovich_factor_->to_wall_coordinates(frame);
   }
-  transformed.sign_ = frame.sign();
+  transformed.sign_ = frame.velocity_sign();
   return transformed;
 }
 

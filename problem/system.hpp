@@ -58,24 +58,27 @@ class System {
   const NamedConstants& named_constants() const { return constants_; }
 
   /// Returns whether force and damping are the polynomials of the class comment, given by their
-  /// coefficients or by a formula. For other formulas only force() describes the force.
+  /// coefficients or by a formula. For a formula that is not such a polynomial, only the function
+  /// force() describes the force.
   bool has_polynomial_force() const { return !formula_; }
-  /// Returns the total force f(y, v) + g(y). Under multiplicative noise the result is the force of
-  /// the equation in Ito's sense, whose Fokker-Planck equation has the terms (f p)_v + D (G p)_vv.
+  /// Returns the total force f(y, v) + g(y). Under multiplicative noise with the diffusion
+  /// coefficient D G(y, v) the result is the force f of the equation in Ito's sense, whose
+  /// Fokker-Planck equation for the density p has the terms (f p)_v + D (G p)_vv.
   double force(double y, double v) const {
     if (!formula_) return damping_force(y, v) + force_(y);
     double force = sign_ * (*formula_)(y, v);
     if (stratonovich_factor_) {
-      force -= stratonovich_diffusion_ / 2 * stratonovich_factor_->square_slope_in_v(y, v);
+      force -= stratonovich_diffusion_ / 2 * stratonovich_factor_->squared_factor_slope_in_v(y, v);
     }
     return force;
   }
   /// Returns the oscillator of an equation in Stratonovich's sense, with noise of diffusion
-  /// coefficient D and factor g. The member force() of the result includes the drift -D G_v / 2.
+  /// coefficient D and factor g. The member force() of the result includes the drift -D G_v / 2,
+  /// where G is the square of the factor.
   System in_ito_sense(const NoiseFactor& factor, double diffusion) const;
-  /// Computes the force f(y, v) + g(y) at `count` <= Expression::kBatch points, faster than by
-  /// single evaluations. Under multiplicative noise the result is the force of the equation in the
-  /// sense of noise.interpretation, without the drift D G_v / 2.
+  /// Computes the force f(y, v) + g(y) at `count` <= Expression::kBatchPoints points, faster than
+  /// by single evaluations. Under multiplicative noise the result is the force of the equation in
+  /// the sense of noise.interpretation, without the drift D G_v / 2.
   void evaluate_forces(std::size_t count, const double* y, const double* v, double* force) const;
   /// Returns the part f(y, v) of the force that vanishes at v = 0.
   double damping_force(double y, double v) const {
@@ -180,8 +183,8 @@ class System {
   numerics::Polynomial force_{{}}, tangent_{{}}, potential_{{}}, damping_{{}}, damping_slope_{{}};
   std::optional<StateFunction> formula_;  // force of a formula that is not a polynomial
   double sign_ = 1;                       // sign of velocities and forces in wall coordinates
-  // Factor of noise in Stratonovich's sense. The member function force() subtracts the drift
-  // D G_v / 2.
+  // Factor of noise in Stratonovich's sense. The member function force() subtracts the drift D G_v
+  // / 2, where G is the square of the noise factor.
   std::optional<NoiseFactor> stratonovich_factor_;
   double stratonovich_diffusion_ = 0;
 };

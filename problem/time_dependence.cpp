@@ -17,25 +17,26 @@ namespace fpkcheck::problem {
 
 using namespace base;
 
-const Description<TimeFormulas>& time_parameter_description() {
+const Description<ExcitationTimeFormulas>& time_parameter_description() {
   static const Value nothing;
   static const auto description =
-      Description<TimeFormulas>("time.")
-          .add("rate", &TimeFormulas::rate,
+      Description<ExcitationTimeFormulas>("time.")
+          .add("rate", &ExcitationTimeFormulas::rate,
                {"A", "factor a(t) of impulse.rate over time, as a formula"})
           .with_symbol("a(t)", "a(t)")
           .with_default_omitted_from_files(nothing)
-          .add("intensity", &TimeFormulas::intensity,
+          .add("intensity", &ExcitationTimeFormulas::intensity,
                {"B", "factor b(t) of noise.intensity over time, as a formula"})
           .with_symbol("b(t)", "b(t)")
           .with_default_omitted_from_files(nothing)
-          .add("force", &TimeFormulas::force, {"F", "external force F(t), as a formula"})
+          .add("force", &ExcitationTimeFormulas::force, {"F", "external force F(t), as a formula"})
           .with_symbol("F(t)", "F(t)")
           .with_default_omitted_from_files(nothing);
   return description;
 }
 
-TimeDependence::TimeDependence(const TimeFormulas& formulas, const NamedConstants& constants)
+ExcitationTimeDependence::ExcitationTimeDependence(const ExcitationTimeFormulas& formulas,
+                                                   const NamedConstants& constants)
     : formulas_(formulas) {
   const auto parse = [&](const std::optional<std::string>& text, const char* key) {
     return text ? std::optional(Expression::parse(*text, constants, key, "t")) : std::nullopt;
@@ -45,15 +46,15 @@ TimeDependence::TimeDependence(const TimeFormulas& formulas, const NamedConstant
   force_ = parse(formulas.force, "time.force");
 }
 
-TimeDependence TimeDependence::with_force_sign(double sign) const {
-  TimeDependence changed = *this;
+ExcitationTimeDependence ExcitationTimeDependence::with_force_sign(double sign) const {
+  ExcitationTimeDependence changed = *this;
   changed.sign_ = sign;
   return changed;
 }
 
-TimeDependence TimeDependence::with_factors_divided_by(double rate_divisor,
-                                                       double intensity_divisor) const {
-  TimeDependence changed = *this;
+ExcitationTimeDependence ExcitationTimeDependence::with_factors_divided_by(
+    double rate_divisor, double intensity_divisor) const {
+  ExcitationTimeDependence changed = *this;
   changed.rate_unit_ *= rate_divisor;
   changed.intensity_unit_ *= intensity_divisor;
   return changed;
@@ -63,9 +64,9 @@ namespace {
 
 constexpr int kSampledTimes = 4096;
 
-// Returns the sampled time with the index k = 0 .. kSampledTimes. The times of even k are
-// equidistant. The times of odd k are multiples of the golden ratio modulo 1, in units of `until`,
-// whose distances have no period.
+// Returns the sampled time with the index k = 0 .. kSampledTimes. The sampled times with an even
+// index k are equidistant. The sampled times with an odd index k are multiples of the golden ratio
+// modulo 1, in units of `until`; the distances between these times have no period.
 double sampled_time(int k, double until) {
   return k % 2 == 0 ? until * k / kSampledTimes : until * std::fmod(k * std::numbers::phi, 1.0);
 }
@@ -109,14 +110,15 @@ double largest_factor(const char* key, const Function& factor, double until) {
 }
 
 // Requires that all functions of time have the period `period`.
-void require_excitation_period(const TimeDependence& time, double period) {
-  if (!time.is_present()) {
+void require_excitation_period(const ExcitationTimeDependence& time, double period) {
+  if (!time.is_acting()) {
     throw InputError(
         "--periodic: the excitation is constant; add the section [time], or omit --periodic");
   }
   const auto require = [&](const char* key, const auto& function) {
-    // The tolerance accepts a period with five digits. At most kMostJumps sampled times may differ,
-    // since rounding at a jump may give the value on the other side of the jump.
+    // The tolerance accepts a period with five digits. At most kMostJumps sampled values may differ
+    // from the values one period later, since rounding at a jump may give the value on the other
+    // side of the jump.
     constexpr double kTolerance = 1e-4;
     constexpr int kMostJumps = kSampledTimes / 100;
     const double largest = largest_value(
@@ -134,7 +136,7 @@ void require_excitation_period(const TimeDependence& time, double period) {
   };
   require("time.rate", [&](double t) { return time.rate_factor(t); });
   require("time.intensity", [&](double t) { return time.intensity_factor(t); });
-  require("time.force", [&](double t) { return time.force(t); });
+  require("time.force", [&](double t) { return time.external_force(t); });
 }
 
 void require_magnitude(const char* key, const char* quantity, double magnitude) {
@@ -146,15 +148,15 @@ void require_magnitude(const char* key, const char* quantity, double magnitude) 
 }  // namespace
 
 Problem with_largest_excitation(const Problem& problem, const TimeSpan& span) {
-  const TimeDependence& time = problem.time;
+  const ExcitationTimeDependence& time = problem.time;
   if (span.periodic) require_excitation_period(time, span.until);
-  if (!time.is_present()) return problem;
+  if (!time.is_acting()) return problem;
   const double rate = largest_factor(
       "time.rate", [&](double t) { return time.rate_factor(t); }, span.until);
   const double intensity = largest_factor(
       "time.intensity", [&](double t) { return time.intensity_factor(t); }, span.until);
   const double force = largest_value(
-      "time.force", [&](double t) { return std::abs(time.force(t)); }, span.until);
+      "time.force", [&](double t) { return std::abs(time.external_force(t)); }, span.until);
   if (force > 0) require_magnitude("time.force", "force", force);
   Problem strongest = problem;
   if (time.has_rate_factor()) {
@@ -172,11 +174,11 @@ Problem with_largest_excitation(const Problem& problem, const TimeSpan& span) {
 }
 
 Problem with_excitation_at_time(const Problem& problem, double t) {
-  if (!problem.time.is_present()) return problem;
+  if (!problem.time.is_acting()) return problem;
   Problem at_time = problem;
   if (const double rate = problem.time.rate_factor(t); rate == 0) {
     at_time = without_impulses(std::move(at_time));
-  } else if (problem.impulses.is_present()) {
+  } else if (problem.impulses.is_acting()) {
     at_time.impulses = problem.impulses.with_rate_multiplied_by(rate);
   }
   at_time.noise.intensity *= problem.time.intensity_factor(t);
@@ -189,8 +191,8 @@ MotionExtent forced_motion_extent(const Problem& problem, const TimeSpan& span) 
   const MotionScales motion = motion_scales(problem);
   const System& system = problem.system;
   const EffectivePotential potential(system);
-  // A step is 1/50 radian of the local frequency, since an extent accurate to 1 % suffices. The
-  // integration ends after kMostSteps steps.
+  // A time step of the forced motion is 1/50 radian of the local frequency, since an extent of the
+  // motion accurate to 1 % suffices. The integration of the motion ends after kMostSteps steps.
   constexpr double kStep = 0.02, kDecayTimes = 5;
   constexpr int kMostSteps = 1000000;
   const double end =
@@ -199,7 +201,7 @@ MotionExtent forced_motion_extent(const Problem& problem, const TimeSpan& span) 
   double y = motion.centre, v = 0, t = 0;
   MotionExtent extent;
   const auto acceleration = [&](double at, double at_y, double at_v) {
-    return problem.time.force(at) - system.force(at_y, at_v);
+    return problem.time.external_force(at) - system.force(at_y, at_v);
   };
   for (int n = 0; n < kMostSteps && t < end; ++n) {
     const double stiffness =
@@ -224,7 +226,7 @@ MotionExtent forced_motion_extent(const Problem& problem, const TimeSpan& span) 
     if (!std::isfinite(y) || !std::isfinite(v)) {
       throw InputError(
           fmt::format("under time.force = {} the motion is unbounded; reduce the force",
-                      *problem.time.formulas().force));
+                      *problem.time.time_formulas().force));
     }
     extent.displacement = std::max(extent.displacement, std::abs(y - motion.centre));
     extent.speed = std::max(extent.speed, std::abs(v));

@@ -9,13 +9,13 @@
 namespace fpkcheck::problem {
 
 /// Formulas of the time t, from the section [time] of a case file.
-struct TimeFormulas {
+struct ExcitationTimeFormulas {
   std::optional<std::string> rate = {};       ///< factor a(t) of the rate of impulses
   std::optional<std::string> intensity = {};  ///< factor b(t) of the noise intensity
   std::optional<std::string> force = {};      ///< external force F(t)
 };
 
-const base::Description<TimeFormulas>& time_parameter_description();
+const base::Description<ExcitationTimeFormulas>& time_parameter_description();
 
 /// The part of an excitation that changes in time: impulses arrive at the rate lambda a(t), the
 /// noise has the intensity 2D b(t), and a deterministic force F(t) acts on the mass,
@@ -24,16 +24,16 @@ const base::Description<TimeFormulas>& time_parameter_description();
 ///
 /// The equation of the density over time is the equation of the constant excitation with the
 /// factors a(t) and b(t), and with the additional term -F(t) dp/dv.
-class TimeDependence {
+class ExcitationTimeDependence {
  public:
   /// Constructs a constant excitation: a = b = 1, F = 0.
-  TimeDependence() = default;
+  ExcitationTimeDependence() = default;
   /// @param constants named constants of the formulas, section [parameters]
   /// @throws InputError for an invalid formula
-  TimeDependence(const TimeFormulas& formulas, const NamedConstants& constants);
+  ExcitationTimeDependence(const ExcitationTimeFormulas& formulas, const NamedConstants& constants);
 
-  const TimeFormulas& formulas() const { return formulas_; }
-  bool is_present() const { return rate_ || intensity_ || force_; }
+  const ExcitationTimeFormulas& time_formulas() const { return formulas_; }
+  bool is_acting() const { return rate_ || intensity_ || force_; }
   bool has_rate_factor() const { return rate_.has_value(); }
   bool has_intensity_factor() const { return intensity_.has_value(); }
   bool has_external_force() const { return force_.has_value(); }
@@ -45,20 +45,23 @@ class TimeDependence {
     return intensity_ ? evaluate_formula_at_time(*intensity_, t) / intensity_unit_ : 1;
   }
   /// Returns the force in the coordinates of the problem.
-  double force(double t) const { return force_ ? sign_ * evaluate_formula_at_time(*force_, t) : 0; }
+  double external_force(double t) const {
+    return force_ ? sign_ * evaluate_formula_at_time(*force_, t) : 0;
+  }
 
   /// Returns the same functions with the force multiplied by `sign`.
   /// @param sign 1, or -1 for mirrored coordinates, in which the force has the opposite sign
-  TimeDependence with_force_sign(double sign) const;
+  ExcitationTimeDependence with_force_sign(double sign) const;
   /// Returns the same functions with the factors divided by the given numbers.
-  TimeDependence with_factors_divided_by(double rate_divisor, double intensity_divisor) const;
+  ExcitationTimeDependence with_factors_divided_by(double rate_divisor,
+                                                   double intensity_divisor) const;
 
  private:
   static double evaluate_formula_at_time(const Expression& formula, double t) {
     return formula(t, 0.0);
   }
 
-  TimeFormulas formulas_;
+  ExcitationTimeFormulas formulas_;
   std::optional<Expression> rate_, intensity_, force_;
   double rate_unit_ = 1, intensity_unit_ = 1, sign_ = 1;
 };
@@ -73,9 +76,9 @@ struct TimeSpan {
 };
 
 /// Returns the problem with the largest rate of impulses and the largest noise intensity of the
-/// time span, among 4096 sampled times. The factors of the result are relative to these largest
-/// values, so that the factors are at most 1 at the sampled times. Boxes, grids and motion scales
-/// are determined from the constant excitation of the result.
+/// time span, among 4096 sampled times. The time-dependent factors of the returned problem are
+/// divided by their largest values, so that the factors are at most 1 at the sampled times. Boxes,
+/// grids and motion scales are determined from the constant excitation of the result.
 /// @throws InputError if a factor is negative or 0 throughout, a function is not finite, a periodic
 /// excitation is constant or has another period, or the largest excitation has no stationary
 /// density
@@ -92,8 +95,9 @@ struct MotionExtent {
 };
 
 /// Returns the extent of the motion under the force F(t) alone, from rest at the centre of
-/// MotionScales until the end of the time span; without a force F all extents are 0. A periodic
-/// motion is followed over several decay times of the slowest mode.
+/// MotionScales until the end of the time span; without a force F all extents are 0. If the time
+/// span is one period of the excitation, the motion is followed over several decay times of its
+/// slowest mode.
 MotionExtent forced_motion_extent(const Problem& problem, const TimeSpan& span);
 
 }  // namespace fpkcheck::problem

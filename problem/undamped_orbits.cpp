@@ -27,13 +27,14 @@ double mean_damping(const System& system, double y, double v) {
 }  // namespace
 
 UndampedOrbits::UndampedOrbits(const Problem& problem) : problem_(problem), potential_(problem) {
-  // V is monotone between neighbouring knots. The slope of V after a knot decides whether the knot
-  // is a minimum.
+  // The potential V is monotone between neighbouring knots. The slope of the potential V after a
+  // knot decides whether the knot is a minimum.
   std::vector<double> knots{potential_.y_low()};
-  knots.insert(knots.end(), potential_.extrema().begin(), potential_.extrema().end());
+  knots.insert(knots.end(), potential_.extremum_positions().begin(),
+               potential_.extremum_positions().end());
   knots.push_back(potential_.y_high());
   for (std::size_t n = 0; n + 1 < knots.size(); ++n) {
-    const double after = potential_.slope((knots[n] + knots[n + 1]) / 2);
+    const double after = potential_.potential_slope((knots[n] + knots[n + 1]) / 2);
     const bool is_turn = n > 0;
     if (is_turn ? after > 0 : problem_.system.left_wall() && after >= 0)
       minima_.push_back(knots[n]);
@@ -43,11 +44,11 @@ UndampedOrbits::UndampedOrbits(const Problem& problem) : problem_(problem), pote
 }
 
 bool UndampedOrbits::is_confining_on_right() const {
-  return problem_.system.right_wall() || potential_.rises_on_right();
+  return problem_.system.right_wall() || potential_.is_unbounded_on_right();
 }
 
 bool UndampedOrbits::is_confining_on_left() const {
-  return problem_.system.left_wall() || potential_.rises_on_left();
+  return problem_.system.left_wall() || potential_.is_unbounded_on_left();
 }
 
 double UndampedOrbits::deepest_minimum() const {
@@ -62,8 +63,8 @@ double UndampedOrbits::find_turning_point(double knot, double direction, double 
   const auto above = [&](double distance) {
     return potential_(knot + direction * distance) - energy;
   };
-  // The distance of the turning point lies between two powers of two. The exponents of the two
-  // powers are found by doubled steps from the distance 1, then by bisection.
+  // The distance of the turning point from the knot lies between two powers of two. The exponents
+  // of the two powers are found by doubled steps from the distance 1, then by bisection.
   const int least = std::ilogb(std::max(std::abs(knot) * 1e-8, 1e-30));
   const auto is_above = [&](int exponent) { return !(above(std::ldexp(1.0, exponent)) < 0); };
   int inside = 0, outside = 0;
@@ -89,7 +90,7 @@ double UndampedOrbits::find_turning_point(double knot, double direction, double 
 
 std::vector<HalfCycle> UndampedOrbits::half_cycles(double energy) const {
   assert(is_confining());
-  std::vector<double> knots = potential_.extrema();
+  std::vector<double> knots = potential_.extremum_positions();
   if (problem_.system.left_wall())
     knots.insert(knots.begin(), problem_.system.left_wall()->position);
   if (problem_.system.right_wall()) knots.push_back(problem_.system.right_wall()->position);
@@ -135,8 +136,8 @@ OrbitIntegrals UndampedOrbits::orbit_integrals(const HalfCycle& half_cycle, doub
   const double impulse_diffusion = problem_.impulses.rate_times_moment(2) / 2;
   // Closed integrals of D G v dy and of lambda E[Y^2] b^2/2 v dy, used if g or b is a formula
   double of_noise = 0, of_impulses = 0;
-  // With the substitution y = middle + half sin(phase), both v and dy / dphase behave like
-  // cos(phase) at a turning point, so that dy / v is smooth in the phase.
+  // With the substitution y = middle + half sin(phase), the velocity v and the derivative dy/dphase
+  // both behave like cos(phase) at a turning point, so that dy / v is smooth in the phase.
   const auto add = [&](double phase, double weight) {
     const double y = middle + half * std::sin(phase);
     // The factor 2 counts both half-cycles of the period.
@@ -146,7 +147,8 @@ OrbitIntegrals UndampedOrbits::orbit_integrals(const HalfCycle& half_cycle, doub
     orbit.action += v * dy;
     orbit.loss += damping * v * dy;
     if (const auto& g = problem_.noise_factor) {
-      const double slope = (g->square_slope_in_v(y, v) - g->square_slope_in_v(y, -v)) / 2;
+      const double slope =
+          (g->squared_factor_slope_in_v(y, v) - g->squared_factor_slope_in_v(y, -v)) / 2;
       orbit.loss += problem_.noise.diffusion() * slope * dy;
       of_noise += (noise_diffusion_coefficient(problem_, y, v) +
                    noise_diffusion_coefficient(problem_, y, -v)) /

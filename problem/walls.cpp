@@ -24,7 +24,7 @@ const Description<WallParameters>& wall_parameter_description() {
                {"R",
                 "coefficient of restitution of the wall on the left, or a formula of this "
                 "coefficient in the impact speed v"},
-               restitution_range())
+               admissible_restitution_range())
           .with_symbol("r_a", "r_a")
           .with_default_omitted_from_files(Value())
           .add("right", &W::right, {"B", "position of the wall on the right"}, finite_numbers())
@@ -34,7 +34,7 @@ const Description<WallParameters>& wall_parameter_description() {
                {"R",
                 "coefficient of restitution of the wall on the right, or a formula of this "
                 "coefficient in the impact speed v"},
-               restitution_range())
+               admissible_restitution_range())
           .with_symbol("r_b", "r_b")
           .with_default_omitted_from_files(Value())
           .add("none", &W::none, {"", "there is no wall"})
@@ -48,16 +48,17 @@ void require_valid_wall_restitution(const char* side, const Wall& wall, double l
   constexpr int kSpeeds = 2000;
   double before = 0;
   for (int n = 0; n <= kSpeeds; ++n) {
-    // The quadratic spacing resolves low speeds, where powers of the speed change most.
+    // The quadratic spacing of the tested impact speeds resolves low speeds, where powers of the
+    // speed change most.
     const double fraction = static_cast<double>(n) / kSpeeds;
     const double u = largest_speed * fraction * fraction;
     const double r =
         wall.restitution_formula ? (*wall.restitution_formula)(0.0, u) : wall.restitution;
-    if (!restitution_range().contains(r)) {
+    if (!admissible_restitution_range().contains(r)) {
       throw InputError(
           fmt::format("wall.{}_restitution = {:.10g}{} (must be {})", side, r,
                       wall.restitution_formula ? fmt::format(" at the impact speed {:.3g}", u) : "",
-                      restitution_range().requirement));
+                      admissible_restitution_range().requirement));
     }
     if (n > 0 && !(u * r > before)) {
       throw InputError(fmt::format(
@@ -109,7 +110,7 @@ Walls make_walls(const WallParameters& parameters, const std::optional<double>& 
                  const NamedConstants& constants) {
   wall_parameter_description().validate(parameters);
   require_magnitudes_in_range(wall_parameter_description(), parameters);
-  if (parameters.empty()) {
+  if (parameters.is_section_absent()) {
     if (restitution) return {.left = Wall{0, *restitution}, .right = {}};
     throw InputError(
         "key 'system.restitution' is missing: add it for a wall at y = 0 on the left, or give "
@@ -152,7 +153,7 @@ Problem to_wall_coordinates(const WallFrame& frame, const Problem& problem) {
   transformed.system = problem.system.to_wall_coordinates(frame);
   transformed.frame = frame;
   if (frame.mirrored) transformed.impulses = problem.impulses.with_negated_amplitudes();
-  transformed.time = transformed.time.with_force_sign(frame.sign());
+  transformed.time = transformed.time.with_force_sign(frame.velocity_sign());
   if (transformed.noise_factor) {
     transformed.noise_factor = transformed.noise_factor->to_wall_coordinates(frame);
   }

@@ -10,8 +10,8 @@
 namespace fpkcheck::problem {
 
 /// Least restitution coefficient of a formula r(u) at impact speeds above the range that
-/// require_valid_restitution() checks. The value is arbitrary but positive, so that the mass leaves
-/// the wall.
+/// require_valid_restitution() checks. The value of kSmallestRestitution is arbitrary but positive,
+/// so that the mass leaves the wall.
 inline constexpr double kSmallestRestitution = 1e-6;
 
 /// A rigid wall, at which an impact multiplies the velocity y' by -r.
@@ -44,7 +44,7 @@ struct WallParameters {
 
   bool operator==(const WallParameters&) const = default;
   /// Returns whether the case file has no section [wall].
-  bool empty() const { return *this == WallParameters{}; }
+  bool is_section_absent() const { return *this == WallParameters{}; }
 };
 
 const base::Description<WallParameters>& wall_parameter_description();
@@ -84,13 +84,13 @@ struct WallFrame {
   double origin = 0;
   bool mirrored = false;
 
-  double sign() const { return mirrored ? -1 : 1; }
-  double physical_y(double x) const { return origin + sign() * x; }
-  double wall_x(double y) const { return sign() * (y - origin); }
-  double physical_velocity(double x_dot) const { return sign() * x_dot; }
+  double velocity_sign() const { return mirrored ? -1 : 1; }
+  double physical_y(double x) const { return origin + velocity_sign() * x; }
+  double wall_x(double y) const { return velocity_sign() * (y - origin); }
+  double physical_velocity(double x_dot) const { return velocity_sign() * x_dot; }
   bool is_identity() const { return origin == 0 && !mirrored; }
-  WallFrame inverse() const {
-    return {.origin = -sign() * origin + 0.0, .mirrored = mirrored};  // adding 0 avoids -0
+  WallFrame inverse_frame() const {
+    return {.origin = -velocity_sign() * origin + 0.0, .mirrored = mirrored};  // adding 0 avoids -0
   }
   bool operator==(const WallFrame&) const = default;
 };

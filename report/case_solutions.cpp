@@ -12,7 +12,7 @@ namespace fpkcheck::report {
 
 std::vector<const transform::Solution*> solutions_of_full_problem(
     const results::CaseResult& case_result) {
-  const auto* chosen = case_result.reference();
+  const auto* chosen = case_result.reference_solution();
   if (chosen == nullptr) return {};
   std::vector<const transform::Solution*> all{chosen};
   for (const auto& solution : case_result.solutions) {
@@ -58,7 +58,7 @@ std::vector<SolutionFamily> group_by_family(std::span<const Solution> solutions)
 std::vector<StatusReason> group_status_reasons(const results::CaseResult& case_result) {
   std::vector<StatusReason> all;
   for (const auto& solution : case_result.solutions) {
-    if (solution.is_ok()) continue;
+    if (solution.has_status_ok()) continue;
     const auto same = std::ranges::find_if(all, [&](const StatusReason& reason) {
       return reason.status == transform::Status::not_offered && reason.status == solution.status &&
              reason.text == solution.reason;

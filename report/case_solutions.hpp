@@ -10,8 +10,8 @@
 namespace fpkcheck::report {
 
 /// Returns the solutions of the full problem, with which tables and sentences compare all other
-/// solutions. The reference of the case is the first element. All further solutions have their
-/// order in the case. The list is empty if the case has no reference.
+/// solutions. The reference of the case is the first solution of the list. All further solutions
+/// keep their order in the case. The list of solutions is empty if the case has no reference.
 std::vector<const transform::Solution*> solutions_of_full_problem(
     const results::CaseResult& case_result);
 

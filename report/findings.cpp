@@ -97,7 +97,7 @@ void add_approximation_errors(const CaseResult& case_result, Sentences& sentence
       const auto &approximate = a.identity, &exact = b.identity;
       if (approximate.role != SolutionRole::equation || exact.role != SolutionRole::equation)
         continue;
-      if (!a.is_ok() || !b.is_ok() || approximate.method != exact.method) continue;
+      if (!a.has_status_ok() || !b.has_status_ok() || approximate.method != exact.method) continue;
       const bool known =
           approximate.equation && approximate.impact && exact.equation && exact.impact;
       const bool other_equation = approximate.equation != exact.equation;
@@ -169,7 +169,8 @@ void add_closest_closures(const CaseResult& case_result, Sentences& sentences) {
     return;
   }
   const auto* nearest = ranks.front();
-  std::erase_if(ranks, [](const auto* rank) { return *rank->largest_l1() > compare::kCloseL1; });
+  std::erase_if(ranks,
+                [](const auto* rank) { return *rank->largest_l1_distance() > compare::kCloseL1; });
   if (ranks.empty()) {
     sentences.push_back(
         fmt::format("No closure with status ok is within L1 {} of {}: the closest, {}, has L1 {}.",
@@ -215,7 +216,7 @@ void add_closest_closures(const CaseResult& case_result, Sentences& sentences) {
 
 /// @param smooth whether the L1 distance is computed over smooth bins
 MarginalDistances sampling_errors(const Solution& solution, bool smooth = false) {
-  const auto& stated = smooth ? best_sampling_error(solution) : solution.sampling;
+  const auto& stated = smooth ? smallest_known_sampling_errors(solution) : solution.sampling;
   return stated ? MarginalDistances{stated->y, stated->ydot} : MarginalDistances{};
 }
 
@@ -252,9 +253,10 @@ MarginalDistances combined_errors(const MarginalDistances& one, const MarginalDi
   return {sum(one.y, other.y), sum(one.ydot, other.ydot)};
 }
 
-MarginalDistances critical_l1_distance(const Solution& one, const Solution& other, bool smooth) {
-  return {compare::critical_l1_distance(one, other, StateVariable::y, smooth),
-          compare::critical_l1_distance(one, other, StateVariable::ydot, smooth)};
+MarginalDistances largest_explained_l1_distance(const Solution& one, const Solution& other,
+                                                bool smooth) {
+  return {compare::largest_explained_l1_distance(one, other, StateVariable::y, smooth),
+          compare::largest_explained_l1_distance(one, other, StateVariable::ydot, smooth)};
 }
 
 // Returns the clause on the errors of a distance: "; source expected; all errors explain up to ..,
@@ -274,7 +276,7 @@ std::string agreement_text(const MarginalDistances& gap, const MarginalDistances
 
 /// The L1 error of one marginal density, measured by the distance from a simulation with control
 /// variates.
-struct MeasuredL1Error {
+struct L1ErrorMeasuredBySimulation {
   double l1, error, chance, stated;
   bool explained;  ///< whether the errors of both solutions explain l1 (compare/agreement.hpp)
 
@@ -284,19 +286,22 @@ struct MeasuredL1Error {
   bool exceeds_stated_error() const { return std::isfinite(stated) && !explained; }
 };
 
-MeasuredL1Error measure_l1_error(const CaseResult& case_result, const Solution& solution,
-                                 const Solution& measure, StateVariable variable) {
+L1ErrorMeasuredBySimulation measure_l1_error(const CaseResult& case_result,
+                                             const Solution& solution, const Solution& measure,
+                                             StateVariable variable) {
   const double l1 = case_result.l1_distance(solution.id(), measure.id(), variable).value_or(0);
-  const auto most = compare::critical_l1_distance(solution, measure, variable, true);
-  return {.l1 = l1,
-          .error = *l1_standard_error(case_result, solution, measure, variable),
-          .chance = expected_l1_error(*best_sampling_error(measure), variable).value_or(0),
-          .stated = compare::l1_error_estimate(solution, variable),
-          .explained = !most || l1 <= *most};
+  const auto most = compare::largest_explained_l1_distance(solution, measure, variable, true);
+  return {
+      .l1 = l1,
+      .error = *l1_standard_error(case_result, solution, measure, variable),
+      .chance = expected_l1_error(*smallest_known_sampling_errors(measure), variable).value_or(0),
+      .stated = compare::l1_error_estimate(solution, variable),
+      .explained = !most || l1 <= *most};
 }
 
 // Returns the text of an error: "2.7e-05 +- 5e-07 in p(y) (estimate 2.8e-05)".
-std::string measured_error_text(const MeasuredL1Error& marginal_error, StateVariable variable) {
+std::string measured_error_text(const L1ErrorMeasuredBySimulation& marginal_error,
+                                StateVariable variable) {
   const std::string stated = std::isfinite(marginal_error.stated)
                                  ? fmt::format(" (estimate {:.2g})", marginal_error.stated)
                                  : std::string();
@@ -310,12 +315,13 @@ std::string measured_error_text(const MeasuredL1Error& marginal_error, StateVari
 }
 
 void add_measured_errors(const CaseResult& case_result, Sentences& sentences) {
-  const Solution* measure = case_result.reference();
+  const Solution* measure = case_result.reference_solution();
   if (measure == nullptr || !measure->smooth_sampling) return;
   for (const Solution* other : solutions_of_full_problem(case_result)) {
     if (other == measure || !has_smooth_distances(case_result, *other, *measure)) continue;
-    const MeasuredL1Error y = measure_l1_error(case_result, *other, *measure, StateVariable::y);
-    const MeasuredL1Error ydot =
+    const L1ErrorMeasuredBySimulation y =
+        measure_l1_error(case_result, *other, *measure, StateVariable::y);
+    const L1ErrorMeasuredBySimulation ydot =
         measure_l1_error(case_result, *other, *measure, StateVariable::ydot);
     const bool more = y.exceeds_stated_error() || ydot.exceeds_stated_error();
     sentences.push_back(fmt::format(
@@ -343,8 +349,9 @@ void add_agreement_of_references(const CaseResult& case_result, Sentences& sente
               ? "their sampling errors account for about"
               : fmt::format("the sampling error of {} is",
                             describe_solution(own.has_any_distance() ? reference : other));
-      chance = agreement_text(gap, combined_errors(own, others),
-                              critical_l1_distance(reference, other, smooth), error_source);
+      chance =
+          agreement_text(gap, combined_errors(own, others),
+                         largest_explained_l1_distance(reference, other, smooth), error_source);
     }
     sentences.push_back(capitalise_first_letter(
         fmt::format("{} and {} differ by L1 {}{}.", describe_solution(reference),
@@ -364,7 +371,7 @@ void add_distances_of_external_densities(const CaseResult& case_result, Sentence
       const bool smooth = has_smooth_distances(case_result, given, *reference);
       const MarginalDistances own = sampling_errors(given);
       MarginalDistances other = sampling_errors(*reference, smooth);
-      MarginalDistances explained = critical_l1_distance(given, *reference, smooth);
+      MarginalDistances explained = largest_explained_l1_distance(given, *reference, smooth);
       for (auto* part : {&other, &explained}) {
         if (!own.y) part->y.reset();
         if (!own.ydot) part->ydot.reset();

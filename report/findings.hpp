@@ -42,6 +42,6 @@ std::vector<std::string> guaranteed_bounds_findings(const results::CaseResult& c
 /// absolute and relative half-width for one functional.
 std::string guaranteed_bounds_table(const problem::Problem& problem,
                                     const compare::GuaranteedBounds& bounds,
-                                    const TextFormat& format);
+                                    const TerminalTextFormat& format);
 
 }  // namespace fpkcheck::report

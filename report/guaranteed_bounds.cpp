@@ -64,14 +64,14 @@ std::vector<std::string> guaranteed_bounds_findings(const results::CaseResult& c
 }
 
 std::string guaranteed_bounds_table(const problem::Problem& problem, const GuaranteedBounds& bounds,
-                                    const TextFormat& format) {
+                                    const TerminalTextFormat& format) {
   std::string all = wrap_text(case_title(problem), format.width, 2);
   if (bounds.each.empty()) return all + wrap_text("no bounds: " + bounds.reason, format.width, 2);
-  std::vector<TextColumn> columns{{"", "functional", true, kAlwaysShown},
-                                  {"", "lower", false, kAlwaysShown},
-                                  {"", "upper", false, kAlwaysShown},
-                                  {"", "half-width", false, 2},
-                                  {"", "relative", false, 1}};
+  std::vector<TextTableColumn> columns{{"", "functional", true, kAlwaysShown},
+                                       {"", "lower", false, kAlwaysShown},
+                                       {"", "upper", false, kAlwaysShown},
+                                       {"", "half-width", false, 2},
+                                       {"", "relative", false, 1}};
   for (const GuaranteedBound& bound : bounds.each) {
     const auto ends = round_interval_outward(bound.lower, bound.upper);
     const double middle = std::abs(bound.lower + bound.half_width());

@@ -12,30 +12,30 @@
 namespace fpkcheck::report {
 namespace {
 
-using compare::Approximation;
+using compare::ModelApproximation;
 
 constexpr const char* kSolvesColumn = "solves";
 
-bool has_group_with_prefix(const std::vector<TextColumn>& columns, std::string_view start) {
+bool has_group_with_prefix(const std::vector<TextTableColumn>& columns, std::string_view start) {
   return std::ranges::any_of(columns,
-                             [&](const TextColumn& c) { return c.group.starts_with(start); });
+                             [&](const TextTableColumn& c) { return c.group.starts_with(start); });
 }
 
-bool has_header_containing(const std::vector<TextColumn>& columns, std::string_view part) {
+bool has_header_containing(const std::vector<TextTableColumn>& columns, std::string_view part) {
   return std::ranges::any_of(
-      columns, [&](const TextColumn& c) { return c.header.find(part) != std::string::npos; });
+      columns, [&](const TextTableColumn& c) { return c.header.find(part) != std::string::npos; });
 }
 
 template <class Condition>
-bool has_cell_satisfying(const std::vector<TextColumn>& columns, std::string_view header,
+bool has_cell_satisfying(const std::vector<TextTableColumn>& columns, std::string_view header,
                          Condition condition) {
-  return std::ranges::any_of(columns, [&](const TextColumn& c) {
+  return std::ranges::any_of(columns, [&](const TextTableColumn& c) {
     return c.header == header && std::ranges::any_of(c.cells, condition);
   });
 }
 
 template <class Enum>
-std::string enum_legend(const std::vector<TextColumn>& results, const std::string& before,
+std::string enum_legend(const std::vector<TextTableColumn>& results, const std::string& before,
                         const std::string& after) {
   std::vector<std::string> terms;
   for (const auto& [value, name, meaning] : enumerator_names(Enum{})) {
@@ -49,7 +49,7 @@ std::string enum_legend(const std::vector<TextColumn>& results, const std::strin
   return fmt::format("{}", fmt::join(terms, "; "));
 }
 
-std::string solves_legend(const std::vector<TextColumn>& results) {
+std::string solves_legend(const std::vector<TextTableColumn>& results) {
   const auto equations = enum_legend<problem::DensityEquation>(results, "", "/");
   const auto impacts = enum_legend<problem::ImpactCondition>(results, "/", "");
   std::vector<std::string> terms;
@@ -64,7 +64,7 @@ std::string solves_legend(const std::vector<TextColumn>& results) {
 
 }  // namespace
 
-std::string solutions_table_legend(const std::vector<TextColumn>& results,
+std::string solutions_table_legend(const std::vector<TextTableColumn>& results,
                                    const results::Run& run) {
   std::vector<std::string> sentences;
   const bool distances = has_group_with_prefix(results, "L1");
@@ -93,7 +93,7 @@ std::string solutions_table_legend(const std::vector<TextColumn>& results,
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-std::string budget_table_legend(const std::vector<TextColumn>& budgets) {
+std::string budget_table_legend(const std::vector<TextTableColumn>& budgets) {
   if (budgets.empty()) return "";
   const auto has_row = [&](std::string_view name) {
     return has_cell_satisfying(budgets, "error budget",
@@ -101,8 +101,8 @@ std::string budget_table_legend(const std::vector<TextColumn>& budgets) {
   };
   std::vector<std::string> rows_below;
   for (const auto& approximations :
-       {std::vector{Approximation::discretisation}, std::vector{Approximation::sampling},
-        std::vector{Approximation::discretisation, Approximation::sampling}}) {
+       {std::vector{ModelApproximation::discretisation}, std::vector{ModelApproximation::sampling},
+        std::vector{ModelApproximation::discretisation, ModelApproximation::sampling}}) {
     if (has_row(compare::name(approximations))) rows_below.push_back(compare::name(approximations));
   }
   std::string text =
@@ -118,7 +118,8 @@ std::string budget_table_legend(const std::vector<TextColumn>& budgets) {
     // closure + impact.
     if (!has_header_containing(budgets, header) && !has_header_containing(budgets, name)) continue;
     text += fmt::format("; {}: {}", header, meaning);
-    if (approximation == Approximation::closure) text += ", against its own equation discretised";
+    if (approximation == ModelApproximation::closure)
+      text += ", against its own equation discretised";
   }
   if (has_group_with_prefix(budgets, "tail")) {
     text += "; tail: mean |log10 p - log10 q|, with q the end of the chain";

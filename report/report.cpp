@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 constexpr const char* kPageFile = "report.html";
 
 // Returns the run saved in the directory, or nothing if the directory has no readable summary.
-// The pictures in a directory without a summary may belong to another program. Such pictures are
-// kept.
+// Pictures in a directory without a readable summary are kept, since these pictures may belong to
+// another program.
 std::optional<results::Run> load_earlier_run(const fs::path& directory) {
   std::error_code ignored;
   if (!fs::exists(directory / results::kSummaryFile, ignored)) return std::nullopt;
@@ -33,7 +33,8 @@ std::optional<results::Run> load_earlier_run(const fs::path& directory) {
 }  // namespace
 
 std::vector<std::string> write_report(const fs::path& directory, const results::Run& run,
-                                      const FigureOptions& figures, const Supplement& supplement) {
+                                      const FigureOptions& figures,
+                                      const ReportSupplement& supplement) {
   const auto earlier = load_earlier_run(directory);
   base::FileTransaction files;
   results::add_run_files(files, directory, run);
@@ -44,8 +45,8 @@ std::vector<std::string> write_report(const fs::path& directory, const results::
   return draw_pictures_of_cases(directory, run, figures, "gnuplot", supplement.pictures);
 }
 
-std::string terminal_report_text(const results::Run& run, const Supplement& supplement,
-                                 const TextFormat& format) {
+std::string terminal_report_text(const results::Run& run, const ReportSupplement& supplement,
+                                 const TerminalTextFormat& format) {
   std::string text;
   for (const auto& sentence : supplement.summary) text += wrap_text(sentence, format.width);
   if (!text.empty()) text += '\n';
@@ -53,8 +54,8 @@ std::string terminal_report_text(const results::Run& run, const Supplement& supp
 }
 
 RebuiltReport rebuild_report(const fs::path& directory, const results::Run& run,
-                             const TextFormat& format, const FigureOptions& figures,
-                             const Supplement& supplement) {
+                             const TerminalTextFormat& format, const FigureOptions& figures,
+                             const ReportSupplement& supplement) {
   // The terminal text is made before any file is written, so that an exception leaves all files
   // unchanged.
   RebuiltReport again{terminal_report_text(run, supplement, format), {}};

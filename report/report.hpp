@@ -21,12 +21,12 @@ namespace fpkcheck::report {
 /// @throws std::runtime_error if a file cannot be written
 std::vector<std::string> write_report(const std::filesystem::path& directory,
                                       const results::Run& run, const FigureOptions& figures = {},
-                                      const Supplement& supplement = {});
+                                      const ReportSupplement& supplement = {});
 
 /// Returns the text that the program prints for a run: the summary of the supplement, then the
 /// tables of the run, then the text of the supplement.
-std::string terminal_report_text(const results::Run& run, const Supplement& supplement,
-                                 const TextFormat& format = {});
+std::string terminal_report_text(const results::Run& run, const ReportSupplement& supplement,
+                                 const TerminalTextFormat& format = {});
 
 struct RebuiltReport {
   std::string text;
@@ -38,7 +38,8 @@ struct RebuiltReport {
 /// @param run run that results::load_run() read from the directory
 /// @throws std::runtime_error if a file cannot be written
 RebuiltReport rebuild_report(const std::filesystem::path& directory, const results::Run& run,
-                             const TextFormat& format = {}, const FigureOptions& figures = {},
-                             const Supplement& supplement = {});
+                             const TerminalTextFormat& format = {},
+                             const FigureOptions& figures = {},
+                             const ReportSupplement& supplement = {});
 
 }  // namespace fpkcheck::report

@@ -28,11 +28,11 @@ std::string seconds_cell_text(double x) {
   return fmt::format("{:.{}f}", x, x < 10 ? 2 : x < 100 ? 1 : 0);
 }
 
-std::vector<TextColumn> solution_columns(const results::CaseResult& case_result) {
+std::vector<TextTableColumn> solution_columns(const results::CaseResult& case_result) {
   constexpr int kEnergy = 1, kOtherReference = 2, kSeconds = 3, kSolves = 4, kMoments = 5;
-  std::vector<TextColumn> all;
+  std::vector<TextTableColumn> all;
   // Adds a column unless it has no values, such as the distances from the only solution of a case.
-  const auto add = [&](TextColumn column, const auto& cell) {
+  const auto add = [&](TextTableColumn column, const auto& cell) {
     for (const auto& solution : case_result.solutions) {
       // A line with the reason replaces the row of a solution that is not applicable.
       if (solution.status == transform::Status::not_offered) continue;
@@ -94,15 +94,15 @@ std::string reasons_text(const results::CaseResult& case_result, std::size_t wid
 }  // namespace
 
 std::string case_title(const problem::Problem& problem) {
-  return fmt::format("{}: {}", problem.name, problem::parameters_text(problem));
+  return fmt::format("{}: {}", problem.name, problem::non_default_parameters_text(problem));
 }
 
-std::string terminal_tables_text(const results::Run& run, const TextFormat& format) {
+std::string terminal_tables_text(const results::Run& run, const TerminalTextFormat& format) {
   const std::size_t width = format.width;
-  const Verdict run_verdict = make_verdict(run);
+  const RunVerdict run_verdict = make_verdict(run);
   std::string text = verdict_answer_text(run_verdict, format);
   if (!text.empty()) text += '\n';
-  std::vector<TextColumn> all, budgets;
+  std::vector<TextTableColumn> all, budgets;
   std::string missing;
   for (const auto& case_result : run.cases) {
     const auto all_columns = solution_columns(case_result);

@@ -17,7 +17,7 @@ namespace fpkcheck::report {
 /// @param format format of the text; if rows exceed its width, columns are omitted in this order:
 ///        energy residual, distances from solutions other than the reference, seconds, equation,
 ///        moments
-std::string terminal_tables_text(const results::Run& run, const TextFormat& format = {});
+std::string terminal_tables_text(const results::Run& run, const TerminalTextFormat& format = {});
 
 /// Returns the name and the parameters of a problem: "case1: c = 0.1, k = 1, ...".
 std::string case_title(const problem::Problem& problem);
@@ -29,12 +29,13 @@ std::string case_title(const problem::Problem& problem);
 /// The text is empty if the case has no error budget.
 /// @param format format of the text; if rows exceed its width, the columns of tail distances are
 /// omitted first, then the columns of the last budget parts
-std::string budget_table_text(const results::CaseResult& case_result, const TextFormat& format);
+std::string budget_table_text(const results::CaseResult& case_result,
+                              const TerminalTextFormat& format);
 
 /// Returns the columns that budget_table_text() displays in a text format. The list is empty if the
 /// case has no error budget.
-std::vector<TextColumn> displayed_budget_columns(const results::CaseResult& case_result,
-                                                 const TextFormat& format);
+std::vector<TextTableColumn> displayed_budget_columns(const results::CaseResult& case_result,
+                                                      const TerminalTextFormat& format);
 
 /// Returns the short name of a part of the error budget for the header of a narrow column:
 /// "trunc.".
@@ -42,9 +43,10 @@ std::string budget_part_header(const std::string& part);
 
 /// Returns sentences that explain the headers and cells of the displayed columns of the tables of
 /// solutions. The text is empty if no column is displayed.
-std::string solutions_table_legend(const std::vector<TextColumn>& results, const results::Run& run);
+std::string solutions_table_legend(const std::vector<TextTableColumn>& results,
+                                   const results::Run& run);
 
 /// Returns sentences that explain the columns of the tables of error budgets.
-std::string budget_table_legend(const std::vector<TextColumn>& budgets);
+std::string budget_table_legend(const std::vector<TextTableColumn>& budgets);
 
 }  // namespace fpkcheck::report

@@ -60,7 +60,7 @@ class NetCdfSolutionVariable {
 };
 
 // Returns the probabilities of rest in contact as text: "mcs: 0.0303 at y = -0.5, 0.0301 at y =
-// 0.5". The text is empty if all these probabilities are zero.
+// 0.5". The text is empty if all probabilities of rest are zero.
 std::string atoms_text(const CaseResult& case_result) {
   std::vector<std::string> solutions;
   for (const auto& solution : case_result.solutions) {
@@ -176,15 +176,15 @@ bool is_joint_netcdf(const std::string& bytes) {
   }
 }
 
-JointFileContent read_joint_netcdf(const fs::path& path,
-                                   const std::function<void(std::string_view bytes)>& inspect) {
+JointDensityFileContent read_joint_netcdf(
+    const fs::path& path, const std::function<void(std::string_view bytes)>& inspect) {
   try {
     auto bytes = base::read_input_file(path, kMaxBytes);
     if (!bytes) throw std::runtime_error("no readable file");
     if (inspect) inspect(*bytes);
     NetCdfReader file(*std::move(bytes));
     const auto solutions = file.read_labels("solution");
-    JointFileContent found;
+    JointDensityFileContent found;
     const auto names = file.variable_names();
     for (const auto& name : names) {
       if (!name.starts_with("p_")) continue;
@@ -209,11 +209,12 @@ JointFileContent read_joint_netcdf(const fs::path& path,
   }
 }
 
-NetCdfGridVariable read_gridded_variable(std::string bytes, const std::string& file_name) {
+NetCdfJointDensityVariable read_external_joint_density_variable(std::string bytes,
+                                                                const std::string& file_name) {
   try {
     NetCdfReader file(std::move(bytes));
     const auto names = file.variable_names();
-    NetCdfGridVariable variable;
+    NetCdfJointDensityVariable variable;
     for (const auto& name : names) {
       if (!has_coordinates(file, names, name)) continue;
       if (!variable.name.empty()) {
@@ -241,8 +242,8 @@ NetCdfGridVariable read_gridded_variable(std::string bytes, const std::string& f
   }
 }
 
-std::vector<JointDensity> make_joint_densities(const compare::ComparisonAxes& axes,
-                                               std::span<const transform::Solution> solutions) {
+std::vector<JointDensity> joint_densities_on_comparison_cells(
+    const compare::ComparisonAxes& axes, std::span<const transform::Solution> solutions) {
   std::vector<JointDensity> joints;
   const auto even = compare::undivided_axes(axes);
   const auto y_edges = every_second_edge(even.y_edges);

@@ -22,7 +22,7 @@ namespace fpkcheck::results {
 ///     densities    p_NAME(solution, y_NAME, ydot_NAME): averages of p(y, y') over cells, in single
 ///                  precision, NaN for a solution without a density
 ///     errors       source_y2_NAME, source_v2_NAME(solution, y_NAME, ydot_NAME): contributions to
-///                  the errors of E[y^2] and E[y'^2] (ErrorSource), if the case has error sources
+///                  the errors of E[y^2] and E[y'^2] (MomentErrorSource), if the case has error sources
 ///
 /// The attributes of p_NAME are the name of the case and the parameters of its problem. The command
 /// of the run is a global attribute of the file. All quantities are non-dimensional.
@@ -36,9 +36,9 @@ struct CaseJointDensity {
 };
 struct CaseErrorSource {
   std::string case_name;
-  ErrorSource source;
+  MomentErrorSource source;
 };
-struct JointFileContent {
+struct JointDensityFileContent {
   std::vector<CaseJointDensity> joints;
   std::vector<CaseErrorSource> sources;
 };
@@ -49,12 +49,13 @@ bool is_joint_netcdf(const std::string& bytes);
 /// @param inspect optional function that receives the bytes of the file before parsing and may
 /// throw
 /// @throws InputError with a message of one line
-JointFileContent read_joint_netcdf(const std::filesystem::path& file,
-                                   const std::function<void(std::string_view bytes)>& inspect = {});
+JointDensityFileContent read_joint_netcdf(
+    const std::filesystem::path& file,
+    const std::function<void(std::string_view bytes)>& inspect = {});
 
 /// An external joint density from a netCDF-4 file, a variable with two coordinates. The names of
-/// the coordinates identify y and y'.
-struct NetCdfGridVariable {
+/// the two coordinates identify the displacement y and the velocity y'.
+struct NetCdfJointDensityVariable {
   std::string name;
   std::string first_name, second_name;
   std::vector<double> first, second;
@@ -66,13 +67,15 @@ struct NetCdfGridVariable {
 /// @param file_name name of the file, for messages
 /// @throws InputError with a message of one line, if the file is corrupt or does not have exactly
 /// one variable with two dimensions and coordinates
-NetCdfGridVariable read_gridded_variable(std::string bytes, const std::string& file_name);
+NetCdfJointDensityVariable read_external_joint_density_variable(std::string bytes,
+                                                                const std::string& file_name);
 
 /// Returns the joint densities p(y, y') of all solutions with a joint density, in the order of the
 /// solutions. The cell widths in y and in y' are a tenth of a standard deviation. Along y each cell
 /// joins two adjacent comparison bins (compare/comparison_axes.hpp), so that histograms of
-/// simulations need no interpolation. The averages are rounded to single precision, as in joint.nc.
-std::vector<JointDensity> make_joint_densities(const compare::ComparisonAxes& axes,
-                                               std::span<const transform::Solution> solutions);
+/// simulations need no interpolation. The averages over cells are rounded to single precision, as
+/// in joint.nc.
+std::vector<JointDensity> joint_densities_on_comparison_cells(
+    const compare::ComparisonAxes& axes, std::span<const transform::Solution> solutions);
 
 }  // namespace fpkcheck::results

@@ -16,15 +16,15 @@
 namespace fpkcheck::results {
 namespace {
 
-using transform::Metric;
-using transform::MetricKind;
 using transform::Metrics;
+using transform::SolverMetric;
+using transform::SolverMetricKind;
 
-// Largest accepted nesting depth of JSON. Files of this program have smaller depths, and the stack
-// suffices for far larger depths.
+// Largest accepted nesting depth of JSON. JSON files of this program are nested less deeply, and
+// the stack suffices for far deeper nesting.
 constexpr int kMaxDepth = 32;
-// Largest accepted number of JSON values. Hundreds of cases have fewer values, and the memory
-// suffices for far more values.
+// Largest accepted number of JSON values. JSON files of hundreds of cases have fewer values, and
+// the memory suffices for far more values.
 constexpr std::size_t kMaxJsonValues = 2'000'000;
 // Largest length of a text; suffices for a very long command line.
 constexpr std::size_t kMaxTextLength = 1 << 20;
@@ -52,7 +52,8 @@ Json& resolve_path(Json& object, std::string_view path) {
   return *at;
 }
 
-// Refuses a key that contains a separator of paths, since resolve_path() would split such a key.
+// Refuses a JSON key that contains a separator of metric paths, since resolve_path() would split
+// such a key.
 void require_valid_key(const std::string& key) {
   if (!key.empty() && key.find_first_of(".[]") == key.npos) return;
   throw InputError(fmt::format("key {} (must not be empty or contain dots or brackets); run again",
@@ -71,9 +72,10 @@ void collect_metrics(const std::string& path, const Json& json, Metrics& metrics
       collect_metrics(fmt::format("{}[{}]", path, k), json[k], metrics);
     }
   } else {
-    metrics.push_back({.path = path,
-                       .value = value_from_json(json),
-                       .kind = json.is_string() ? MetricKind::text : MetricKind::result});
+    metrics.push_back(
+        {.path = path,
+         .value = value_from_json(json),
+         .kind = json.is_string() ? SolverMetricKind::text : SolverMetricKind::result});
   }
 }
 
@@ -88,7 +90,7 @@ Json problem_to_json(const problem::Problem& problem) {
   for (const auto& section : problem::case_file_sections(problem)) {
     json[section.name] = values_to_json(section.values);
   }
-  if (problem.impulses.is_present()) {
+  if (problem.impulses.is_acting()) {
     json["impulse"]["moments"] = problem.impulses.amplitude_law().moments();
   }
   return json;

@@ -23,7 +23,7 @@ std::string closure_id_list(const CaseResult& case_result, const LimitingErrorGr
     stem_before = stem;
     ids.push_back(again ? id.substr(mark) : id);
     const auto* closure = case_result.find(id);
-    if (closure != nullptr && !closure->is_ok())
+    if (closure != nullptr && !closure->has_status_ok())
       ids.back() += fmt::format(" ({})", name(closure->status));
   }
   if (ids.size() == 1) return ids.front();

@@ -50,12 +50,12 @@ bool read_line(std::istream& in, std::string& line) {
   return true;
 }
 
-class CsvRowReader {
+class DensityCurveCsvReader {
  public:
-  CsvRowReader(std::string_view source, const NonFinitePredicate& allows_non_finite)
+  DensityCurveCsvReader(std::string_view source, const NonFinitePredicate& allows_non_finite)
       : source_(source), allows_non_finite_(allows_non_finite) {}
 
-  void read(const std::string& line, int line_number, std::vector<CaseCurve>& curves) {
+  void read(const std::string& line, int line_number, std::vector<CaseDensityCurve>& curves) {
     line_number_ = line_number;
     if (line.size() > kMaxLineLength) {
       fail(fmt::format("a line of {} bytes (must be at most {})", line.size(), kMaxLineLength));
@@ -121,14 +121,14 @@ void write_marginals_csv(std::ostream& out, std::span<const CaseResult> cases,
   }
 }
 
-std::vector<CaseCurve> read_marginals_csv(std::istream& in, std::string_view source,
-                                          const NonFinitePredicate& allows_non_finite) {
-  CsvRowReader row(source, allows_non_finite);
+std::vector<CaseDensityCurve> read_marginals_csv(std::istream& in, std::string_view source,
+                                                 const NonFinitePredicate& allows_non_finite) {
+  DensityCurveCsvReader row(source, allows_non_finite);
   std::string line;
   if (!read_line(in, line) || line != kHeader) {
     row.fail(fmt::format("not a file of marginals (the header must be {})", kHeader));
   }
-  std::vector<CaseCurve> curves;
+  std::vector<CaseDensityCurve> curves;
   for (int line_number = 2; read_line(in, line); ++line_number) {
     row.read(line, line_number, curves);
   }

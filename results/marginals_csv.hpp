@@ -19,7 +19,7 @@ namespace fpkcheck::results {
 void write_marginals_csv(std::ostream& out, std::span<const CaseResult> cases,
                          std::vector<DensityCurve> CaseResult::*curves = &CaseResult::curves);
 
-struct CaseCurve {
+struct CaseDensityCurve {
   std::string case_name;
   DensityCurve curve;
 };
@@ -31,10 +31,11 @@ using NonFinitePredicate =
 /// Reads a file that write_marginals_csv() wrote.
 /// @param source name of the file, for messages
 /// @param allows_non_finite selects solutions whose densities and confidence intervals may be
-/// infinite or NaN. If the function is empty, all numbers must be finite.
+///   infinite or NaN. If the predicate `allows_non_finite` is empty, all numbers of the file must
+///   be finite.
 /// @throws InputError with a message of one line that has the source and the line number
-std::vector<CaseCurve> read_marginals_csv(std::istream& in, std::string_view source,
-                                          const NonFinitePredicate& allows_non_finite = {});
+std::vector<CaseDensityCurve> read_marginals_csv(std::istream& in, std::string_view source,
+                                                 const NonFinitePredicate& allows_non_finite = {});
 
 /// Encloses a text in quotes if the text contains separators, quotes or line breaks (RFC 4180).
 std::string quote_csv_field(const std::string& text);

@@ -39,8 +39,8 @@ class OutputDirectoryLock {
 
 /// Creates an output directory and its parents, and checks that the directory and its subdirectory
 /// figures/ are writable. The function finishes or removes incomplete files of an interrupted run.
-/// Several processes may prepare the same directory at the same time. After a failure, the
-/// directories that this call created are removed.
+/// Several processes may prepare the same directory at the same time. After a failure,
+/// prepare_output_directory() removes the directories that the same call created.
 /// @throws InputError with a message of one line
 [[nodiscard]] OutputDirectoryLock prepare_output_directory(const std::filesystem::path& directory);
 

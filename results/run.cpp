@@ -11,15 +11,16 @@
 namespace fpkcheck::results {
 namespace {
 
-const DensityCurve* find_curve(const std::vector<DensityCurve>& curves, std::string_view solution,
-                               transform::StateVariable variable) {
+const DensityCurve* find_density_curve(const std::vector<DensityCurve>& curves,
+                                       std::string_view solution,
+                                       transform::StateVariable variable) {
   const auto found = std::ranges::find_if(curves, [&](const DensityCurve& curve) {
     return curve.solution == solution && curve.variable == variable;
   });
   return found == curves.end() ? nullptr : &*found;
 }
 
-// Returns the common width of all bins; empty if the widths differ.
+// Returns the common width of all bins; the result is empty if the widths of the bins differ.
 std::optional<double> common_bin_width(const std::vector<double>& centres) {
   if (centres.size() < 2) return std::nullopt;
   constexpr double kRounding = 1e-6;
@@ -36,7 +37,7 @@ std::vector<double> bin_widths(const DensityCurve& curve) {
   const auto& centres = curve.abscissa;
   if (const auto width = common_bin_width(centres)) return std::vector(centres.size(), *width);
   std::vector<double> widths(centres.size());
-  // The widths are computed outwards from the edge at 0, separately on each side.
+  // The bin widths are computed outwards from the bin edge at 0, separately on each side.
   const auto outwards = [](auto centre, auto end, auto width) {
     for (double edge = 0; centre != end; ++centre, ++width) {
       *width = 2 * (std::abs(*centre) - edge);
@@ -52,12 +53,12 @@ std::vector<double> bin_widths(const DensityCurve& curve) {
 
 const DensityCurve* CaseResult::marginal_curve(std::string_view solution,
                                                transform::StateVariable variable) const {
-  return find_curve(curves, solution, variable);
+  return find_density_curve(curves, solution, variable);
 }
 
 const DensityCurve* CaseResult::smooth_curve(std::string_view solution,
                                              transform::StateVariable variable) const {
-  return find_curve(smooth, solution, variable);
+  return find_density_curve(smooth, solution, variable);
 }
 
 const MomentErrorEstimate* CaseResult::moment_error_estimate(std::string_view solution) const {
@@ -66,9 +67,9 @@ const MomentErrorEstimate* CaseResult::moment_error_estimate(std::string_view so
   return found == moment_error_estimates.end() ? nullptr : &*found;
 }
 
-const ErrorSource* CaseResult::error_source(std::string_view solution,
-                                            std::string_view moment) const {
-  const auto found = std::ranges::find_if(error_sources, [&](const ErrorSource& source) {
+const MomentErrorSource* CaseResult::moment_error_source(std::string_view solution,
+                                                         std::string_view moment) const {
+  const auto found = std::ranges::find_if(error_sources, [&](const MomentErrorSource& source) {
     return source.solution == solution && source.moment == moment;
   });
   return found == error_sources.end() ? nullptr : &*found;
@@ -81,7 +82,7 @@ ProgramInfo current_program(const std::string& command) {
 DensityCurve make_density_curve(compare::SolutionMarginal&& found) {
   auto& [solution, variable, marginal] = found;
   std::vector<double> centres;
-  for (std::size_t b = 0; b < marginal.size(); ++b) centres.push_back(marginal.centre(b));
+  for (std::size_t b = 0; b < marginal.size(); ++b) centres.push_back(marginal.bin_centre(b));
   return {std::move(solution),       variable,
           std::move(centres),        std::move(marginal.density),
           std::move(marginal.lower), std::move(marginal.upper)};
@@ -98,8 +99,8 @@ CaseResult make_case_result(const problem::Problem& problem, const compare::Comp
     result.curves.push_back(make_density_curve(std::move(found)));
   for (auto& found : comparison.smooth)
     result.smooth.push_back(make_density_curve(std::move(found)));
-  result.joints = make_joint_densities(axes, result.solutions);
-  result.assess();
+  result.joints = joint_densities_on_comparison_cells(axes, result.solutions);
+  result.update_assessment();
   return result;
 }
 

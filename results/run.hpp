@@ -42,8 +42,8 @@ struct JointDensity {
   transform::GridDensity density;
 };
 
-/// Residual-based error estimates of the moments of a solution. These estimates use only the
-/// density and the problem, and no other solution (docs/residuals.md).
+/// Residual-based error estimates of the moments of a solution. Residual-based error estimates use
+/// only the density and the problem, and no other solution (docs/residuals.md).
 struct MomentErrorEstimate {
   std::string solution;
   transform::Moments corrected;  ///< corrected moments: estimates of the exact moments
@@ -52,7 +52,7 @@ struct MomentErrorEstimate {
 
 /// Contributions of the cells of the (y, y') plane to the error of a moment. The integral of
 /// `density` over a region is the contribution of the region to the error of the moment.
-struct ErrorSource {
+struct MomentErrorSource {
   std::string solution;
   std::string moment;  ///< name of the moment in transform::kMoments: y2 or v2
   /// Contributions to the error of the moment, per area of the (y, y') plane.
@@ -62,8 +62,8 @@ struct ErrorSource {
 /// The solutions of one case, their densities and their comparison.
 struct CaseResult {
   problem::Problem problem;
-  std::vector<transform::Solution> solutions = {};  ///< solutions by increasing trust
-  std::vector<compare::PairDistances> pairs = {};   ///< distances of all pairs of solutions
+  std::vector<transform::Solution> solutions = {};         ///< solutions by increasing trust
+  std::vector<compare::SolutionPairDistances> pairs = {};  ///< distances of all pairs of solutions
   std::vector<compare::ErrorBudgetRow> budget = {};
   std::vector<DensityCurve> curves = {};  ///< marginal densities over the comparison bins
   std::vector<JointDensity> joints = {};
@@ -72,20 +72,21 @@ struct CaseResult {
   std::vector<DensityCurve> smooth = {};
   /// Moment error estimates in the order of the solutions; some solutions have no estimate.
   std::vector<MomentErrorEstimate> moment_error_estimates = {};
-  std::vector<ErrorSource> error_sources = {};  ///< sources of the errors of E[y^2] and E[y'^2]
+  std::vector<MomentErrorSource> error_sources =
+      {};  ///< sources of the errors of E[y^2] and E[y'^2]
   /// Guaranteed bounds; empty if not computed.
   std::optional<compare::GuaranteedBounds> bounds = {};
-  compare::Assessment assessment = {};
+  compare::SolutionsAssessment assessment = {};
 
   const std::string& name() const { return problem.name; }
   const transform::Solution* find(std::string_view id) const {
     return transform::find_solution(solutions, id);
   }
   /// Returns the reference (the most accurate solution of the case), or null.
-  const transform::Solution* reference() const { return find(assessment.reference); }
+  const transform::Solution* reference_solution() const { return find(assessment.reference); }
   /// Recomputes `assessment` from the solutions, distances and error budget. Callers must call
-  /// assess() after a change of these three members.
-  void assess() { assessment = compare::assess_solutions(solutions, pairs, budget); }
+  /// assess() after a change of the solutions, the distances or the error budget.
+  void update_assessment() { assessment = compare::assess_solutions(solutions, pairs, budget); }
   const DensityCurve* marginal_curve(std::string_view solution,
                                      transform::StateVariable variable) const;
   const DensityCurve* smooth_curve(std::string_view solution,
@@ -93,7 +94,8 @@ struct CaseResult {
   /// Returns the residual-based moment error estimate of a solution, or null.
   const MomentErrorEstimate* moment_error_estimate(std::string_view solution) const;
   /// Returns the error source of one moment (y2 or v2) of a solution, or null.
-  const ErrorSource* error_source(std::string_view solution, std::string_view moment) const;
+  const MomentErrorSource* moment_error_source(std::string_view solution,
+                                               std::string_view moment) const;
   std::optional<double> l1_distance(std::string_view one, std::string_view other,
                                     transform::StateVariable variable) const {
     return compare::l1_distance_between(pairs, one, other, variable);

@@ -4,7 +4,7 @@
 
 namespace fpkcheck::results {
 
-using compare::Agreement;
+using compare::AgreementWithReference;
 
 namespace {
 
@@ -13,9 +13,10 @@ std::optional<double> larger_of(std::optional<double> one, std::optional<double>
   return one ? one : other;
 }
 
-AgreementInCase agreement_in_case(const results::CaseResult& one, std::string_view id) {
-  const auto* assessed = one.assessment.find(id);
-  return assessed == nullptr ? AgreementInCase{} : AgreementInCase{{*assessed}, one.find(id)};
+SolutionAgreementInCase agreement_in_case(const results::CaseResult& one, std::string_view id) {
+  const auto* assessed = one.assessment.find_solution_assessment(id);
+  return assessed == nullptr ? SolutionAgreementInCase{}
+                             : SolutionAgreementInCase{{*assessed}, one.find(id)};
 }
 
 std::vector<SolutionAgreements> agreement_rows(const results::Run& run) {
@@ -40,7 +41,7 @@ std::vector<SolutionAgreements> agreement_rows(const results::Run& run) {
   }
   // A solution that is not applicable in any case gets no row.
   std::erase_if(all, [](const SolutionAgreements& row) {
-    return std::ranges::all_of(row.entries, [](const AgreementInCase& entry) {
+    return std::ranges::all_of(row.entries, [](const SolutionAgreementInCase& entry) {
       return entry.solution == nullptr || entry.solution->status == transform::Status::not_offered;
     });
   });
@@ -50,29 +51,33 @@ std::vector<SolutionAgreements> agreement_rows(const results::Run& run) {
 }  // namespace
 
 int SolutionAgreements::case_count() const {
-  return static_cast<int>(entries.size()) - case_count_with_agreement(Agreement::absent);
+  return static_cast<int>(entries.size()) -
+         case_count_with_agreement(AgreementWithReference::absent);
 }
 
 int SolutionAgreements::reproduced_case_count() const {
-  return static_cast<int>(std::ranges::count_if(entries, &AgreementInCase::reproduces_reference));
+  return static_cast<int>(
+      std::ranges::count_if(entries, &SolutionAgreementInCase::reproduces_reference));
 }
 
-int SolutionAgreements::case_count_with_agreement(Agreement agreement) const {
-  return static_cast<int>(std::ranges::count(entries, agreement, &AgreementInCase::agreement));
+int SolutionAgreements::case_count_with_agreement(AgreementWithReference agreement) const {
+  return static_cast<int>(
+      std::ranges::count(entries, agreement, &SolutionAgreementInCase::agreement));
 }
 
 std::optional<double> SolutionAgreements::largest_l1_of_marginal(
-    std::optional<double> AgreementInCase::*marginal) const {
+    std::optional<double> SolutionAgreementInCase::*marginal) const {
   std::optional<double> most;
   for (const auto& entry : entries) {
-    if (entry.agreement != Agreement::no_density) most = larger_of(most, entry.*marginal);
+    if (entry.agreement != AgreementWithReference::no_density)
+      most = larger_of(most, entry.*marginal);
   }
   return most;
 }
 
-std::optional<double> SolutionAgreements::largest_l1() const {
-  return larger_of(largest_l1_of_marginal(&AgreementInCase::y),
-                   largest_l1_of_marginal(&AgreementInCase::ydot));
+std::optional<double> SolutionAgreements::largest_l1_distance() const {
+  return larger_of(largest_l1_of_marginal(&SolutionAgreementInCase::y),
+                   largest_l1_of_marginal(&SolutionAgreementInCase::ydot));
 }
 
 double SolutionAgreements::longest_seconds() const {
@@ -99,11 +104,12 @@ const SolutionAgreements* RunAssessment::fastest_accurate_solution(double accura
   const double error = std::max(reference_y_l1, reference_ydot_l1);
   const SolutionAgreements* fastest = nullptr;
   for (const auto& row : rows) {
-    const bool is_accurate = std::ranges::all_of(row.entries, [&](const AgreementInCase& entry) {
-      if (entry.agreement == Agreement::reference) return error <= accuracy;
-      return entry.solution != nullptr && entry.solution->is_ok() && entry.y && entry.ydot &&
-             *entry.largest_l1() + error <= accuracy;
-    });
+    const bool is_accurate =
+        std::ranges::all_of(row.entries, [&](const SolutionAgreementInCase& entry) {
+          if (entry.agreement == AgreementWithReference::reference) return error <= accuracy;
+          return entry.solution != nullptr && entry.solution->has_status_ok() && entry.y &&
+                 entry.ydot && *entry.largest_l1_distance() + error <= accuracy;
+        });
     if (!is_accurate || transform::is_external(*row.identity)) continue;
     if (fastest == nullptr || row.longest_seconds() < fastest->longest_seconds()) fastest = &row;
   }
@@ -122,7 +128,7 @@ RunAssessment assess_run(const Run& run) {
     if (!second) continue;
     (second->has_agreement ? assessed.confirming : assessed.contradicting)[second->id].push_back(
         case_result.name());
-    const auto& distances = *assessment.find(second->id);
+    const auto& distances = *assessment.find_solution_assessment(second->id);
     assessed.confirmation_distances.update_maximum_distances(distances.y, distances.ydot);
   }
   return assessed;

@@ -12,25 +12,25 @@ namespace fpkcheck::results {
 
 /// The assessment of a solution in one case. If the case lacks the solution, `agreement` is
 /// `absent`.
-struct AgreementInCase : compare::SolutionAssessment {
+struct SolutionAgreementInCase : compare::SolutionAssessment {
   const transform::Solution* solution = nullptr;  ///< null if the case lacks the solution
 };
 
 /// The agreement of one solution with the references of all cases of a run.
 struct SolutionAgreements {
-  const transform::SolutionIdentity* identity;  ///< identity in the first case with the solution
-  std::vector<AgreementInCase> entries;         ///< in the order of the cases
+  const transform::SolutionIdentity* identity;   ///< identity in the first case with the solution
+  std::vector<SolutionAgreementInCase> entries;  ///< in the order of the cases
 
   int case_count() const;
   int reproduced_case_count() const;
   /// Returns the number of cases in which the solution has the given agreement with the reference.
-  int case_count_with_agreement(compare::Agreement agreement) const;
+  int case_count_with_agreement(compare::AgreementWithReference agreement) const;
   /// Returns the largest L1 distance of one marginal density (p(y) or p(y')) from the references,
   /// over all cases in which the solution has a density. If the solution has no density in any
   /// case, the result is empty.
   std::optional<double> largest_l1_of_marginal(
-      std::optional<double> AgreementInCase::*marginal) const;
-  std::optional<double> largest_l1() const;
+      std::optional<double> SolutionAgreementInCase::*marginal) const;
+  std::optional<double> largest_l1_distance() const;
   double longest_seconds() const;
 };
 
@@ -50,7 +50,8 @@ using CaseNamesBySolution = std::map<std::string, std::vector<std::string>>;
 /// Returns the number of cases, summed over all solutions.
 int total_case_count(const CaseNamesBySolution& cases);
 
-/// The assessment of a run over all its cases. The pointers in the rows point into the run.
+/// The assessment of a run over all its cases. The rows contain pointers to solutions and
+/// identities of the run.
 struct RunAssessment {
   /// One row for each solution id, by increasing trust.
   std::vector<SolutionAgreements> rows = {};

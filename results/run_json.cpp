@@ -17,23 +17,23 @@
 namespace fpkcheck::results {
 namespace {
 
-using compare::Distances;
+using compare::DensityDistances;
 using compare::ErrorBudgetPart;
 using compare::ErrorBudgetRow;
-using compare::PairDistances;
+using compare::SolutionPairDistances;
 using transform::StateVariable;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Json pair_distances_json(const PairDistances& pair) {
-  const Distances& d = pair.distances;
+Json pair_distances_json(const SolutionPairDistances& pair) {
+  const DensityDistances& d = pair.distances;
   Json tail = Json::array();
   for (const auto& part : d.log10_tail) {
     tail.push_back({{"from", part.from},
                     {"to", part.to},
                     {"mean_abs", part.mean_abs},
                     {"bins", part.bins},
-                    {"left_out", part.bins_omitted}});
+                    {"left_out", part.omitted_bin_count}});
   }
   Json json{{"a", pair.a},       {"b", pair.b},  {"variable", name(pair.variable)}, {"l1", d.l1},
             {"l2", d.l2},        {"sup", d.sup}, {"hellinger", d.hellinger},        {"kl", d.kl},
@@ -43,7 +43,7 @@ Json pair_distances_json(const PairDistances& pair) {
 }
 
 Json budget_part_json(const ErrorBudgetPart& part) {
-  Json json{{"name", part.name()},
+  Json json{{"name", part.part_name()},
             {"from", part.from},
             {"to", part.to},
             {"l1", part.l1},
@@ -100,7 +100,7 @@ Json limiting_error_json(const compare::LimitingErrorGroup& group) {
           {"greatest_fraction", group.greatest_fraction}};
 }
 
-Json assessment_json(const compare::Assessment& assessment) {
+Json assessment_json(const compare::SolutionsAssessment& assessment) {
   Json json{{"reference", Json()}, {"confirmation", Json()}, {"solutions", Json::array()}};
   if (!assessment.reference.empty()) {
     json["reference"] = {
@@ -154,26 +154,26 @@ double number_or_default(double default_value, const Json& value) {
   return value.is_null() ? default_value : value.get<double>();
 }
 
-PairDistances pair_distances_from_json(const Json& json) {
-  PairDistances pair{json.at("a"),
-                     json.at("b"),
-                     state_variable_from_json(json),
-                     {},
-                     optional_number_at_key(json, "l1_standard_error")};
-  Distances& d = pair.distances;
+SolutionPairDistances pair_distances_from_json(const Json& json) {
+  SolutionPairDistances pair{json.at("a"),
+                             json.at("b"),
+                             state_variable_from_json(json),
+                             {},
+                             optional_number_at_key(json, "l1_standard_error")};
+  DensityDistances& d = pair.distances;
   d.l1 = number_or_default(kNotANumber, json.at("l1"));
   d.l2 = number_or_default(kNotANumber, json.at("l2"));
   d.sup = number_or_default(kNotANumber, json.at("sup"));
   d.hellinger = number_or_default(kNotANumber, json.at("hellinger"));
-  // In files null represents both infinity and NaN. A finite distance l1 implies finite densities,
-  // for which the divergence kl may be infinite but not NaN.
+  // In JSON files null represents both infinity and NaN. A finite distance l1 implies finite
+  // densities, for which the divergence kl may be infinite but not NaN.
   d.kl = number_or_default(std::isfinite(d.l1) ? kInfinity : kNotANumber, json.at("kl"));
   for (const auto& tail : json.at("log10_tail")) {
     d.log10_tail.push_back({.from = tail.at("from"),
                             .to = tail.at("to"),
                             .mean_abs = number_or_default(kNotANumber, tail.at("mean_abs")),
                             .bins = integer_at_key(tail, "bins"),
-                            .bins_omitted = integer_at_key(tail, "left_out")});
+                            .omitted_bin_count = integer_at_key(tail, "left_out")});
   }
   return pair;
 }
@@ -232,7 +232,7 @@ compare::LimitingErrorGroup limiting_error_from_json(const Json& json,
 }
 
 // Reads an assessment and requires exactly the solutions of the case, in the same order.
-compare::Assessment assessment_from_json(const Json& json, const CaseResult& case_result) {
+compare::SolutionsAssessment assessment_from_json(const Json& json, const CaseResult& case_result) {
   const auto id_in = [&](const Json& object) {
     auto id = object.at("solution").get<std::string>();
     if (case_result.find(id) == nullptr) {
@@ -241,7 +241,7 @@ compare::Assessment assessment_from_json(const Json& json, const CaseResult& cas
     }
     return id;
   };
-  compare::Assessment assessment;
+  compare::SolutionsAssessment assessment;
   if (const Json& reference = json.at("reference"); !reference.is_null()) {
     assessment.reference = id_in(reference);
     assessment.reference_y_l1 = number_or_default(kInfinity, reference.at("y_l1"));
@@ -250,8 +250,8 @@ compare::Assessment assessment_from_json(const Json& json, const CaseResult& cas
   if (const Json& second = json.at("confirmation"); !second.is_null())
     assessment.confirmation = {id_in(second), second.at("agrees")};
   for (const auto& solution : json.at("solutions")) {
-    const auto agreement =
-        base::enum_from_name<compare::Agreement>(solution.at("agreement").get<std::string>());
+    const auto agreement = base::enum_from_name<compare::AgreementWithReference>(
+        solution.at("agreement").get<std::string>());
     if (!agreement) throw InputError("\"assessment\" has an unknown agreement; run again");
     assessment.solutions.push_back({.id = id_in(solution),
                                     .agreement = *agreement,
@@ -300,7 +300,7 @@ CaseResult case_from_json(const Json& json) {
   if (json.contains("assessment")) {
     case_result.assessment = assessment_from_json(json.at("assessment"), case_result);
   } else {
-    case_result.assess();  // runs of older program versions have no assessment
+    case_result.update_assessment();  // runs of older program versions have no assessment
   }
   return case_result;
 }

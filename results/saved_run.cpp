@@ -68,7 +68,7 @@ void read_curves(const fs::path& file, Run& run, std::vector<DensityCurve> CaseR
   const auto allows_non_finite = [&run](const std::string& case_name, const std::string& solution) {
     const CaseResult* case_result = find_case(run, case_name);
     const auto* found = case_result == nullptr ? nullptr : case_result->find(solution);
-    return found != nullptr && !found->is_ok();
+    return found != nullptr && !found->has_status_ok();
   };
   for (auto& [case_name, curve] : read_marginals_csv(csv, file.string(), allows_non_finite)) {
     CaseResult* case_result = find_case(run, case_name);

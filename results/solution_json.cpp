@@ -108,7 +108,7 @@ std::vector<transform::RestAtom> atoms_from_json(const Json& json) {
   return atoms;
 }
 
-Json sampling_error_json(const transform::SamplingError& sampling) {
+Json sampling_error_json(const transform::MarginalSamplingErrors& sampling) {
   Json json = Json::object();
   const auto put = [&](const char* key, const std::optional<double>& value) {
     if (value) json[key] = *value;
@@ -120,14 +120,14 @@ Json sampling_error_json(const transform::SamplingError& sampling) {
   return json;
 }
 
-std::optional<transform::SamplingError> sampling_error_from_json(const Json& json,
-                                                                 const char* key) {
+std::optional<transform::MarginalSamplingErrors> sampling_error_from_json(const Json& json,
+                                                                          const char* key) {
   const auto sampling = json.find(key);
   if (sampling == json.end()) return std::nullopt;
-  return transform::SamplingError{.y = optional_number_at_key(*sampling, "y"),
-                                  .ydot = optional_number_at_key(*sampling, "ydot"),
-                                  .y_99 = optional_number_at_key(*sampling, "y_99"),
-                                  .ydot_99 = optional_number_at_key(*sampling, "ydot_99")};
+  return transform::MarginalSamplingErrors{.y = optional_number_at_key(*sampling, "y"),
+                                           .ydot = optional_number_at_key(*sampling, "ydot"),
+                                           .y_99 = optional_number_at_key(*sampling, "y_99"),
+                                           .ydot_99 = optional_number_at_key(*sampling, "ydot_99")};
 }
 
 template <class Enum>

@@ -50,7 +50,7 @@ class Point:
         return self.impulses / 2 * (1 + (1 - self.restitution) / (math.pi * self.damping_ratio))
 
     def distance(self, other):
-        """As map_distance() in workflows/sweep/map/validity_map.cpp computes it."""
+        """As validity_map_distance() in workflows/sweep/map/validity_map.cpp computes it."""
         if self.law != other.law:
             return math.inf
         return math.hypot(

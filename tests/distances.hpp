@@ -18,7 +18,7 @@ std::pair<double, double> distances(const transform::Solution& solution, const Y
     const auto marginal = transform::marginal(solution, variable, edges);
     double total = 0;
     for (std::size_t b = 0; b < exact.size(); ++b) {
-      total += std::abs(marginal.density[b] - exact[b]) * marginal.width(b);
+      total += std::abs(marginal.density[b] - exact[b]) * marginal.bin_width(b);
     }
     return total;
   };

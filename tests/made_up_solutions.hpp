@@ -68,7 +68,8 @@ inline transform::Solution solution(const transform::SolutionIdentity& solution_
   s.status = transform::Status::ok;
   s.seconds = 0.42;
   s.density = density;
-  s.moments = transform::quadrature_marginals(density, density.y_max, density.v_max).moments;
+  s.moments =
+      transform::marginals_at_quadrature_points(density, density.y_max, density.v_max).moments;
   s.mass = 1;
   s.energy_residual = -1.5e-3;
   return s;
@@ -85,7 +86,7 @@ inline transform::Solution simulation(const compare::ComparisonAxes& axes,
   for (const auto variable : transform::kVariables) {
     auto m = transform::marginal(density, variable, compare::comparison_bin_edges(axes, variable));
     for (std::size_t k = 0; k < m.size(); ++k) {
-      const double weight = samples * m.width(k);
+      const double weight = samples * m.bin_width(k);
       std::poisson_distribution<long> count(weight * m.density[k]);
       m.density[k] = static_cast<double>(count(random)) / weight;
       const double half = 1.96 * std::sqrt(m.density[k] / weight);
@@ -96,9 +97,9 @@ inline transform::Solution simulation(const compare::ComparisonAxes& axes,
   }
   s.sampling = {.y = 0.0011, .ydot = 0.0015};
   s.standard_errors = {.moments = {.y2 = 1e-4, .v2 = 1e-4}};
-  s.metrics = transform::MetricBuilder()
-                  .add_diagnostic("samples", samples)
-                  .add_diagnostic("streams", std::int64_t{128})
+  s.metrics = transform::SolverMetricsBuilder()
+                  .add_diagnostic_metric("samples", samples)
+                  .add_diagnostic_metric("streams", std::int64_t{128})
                   .take_metrics();
   return s;
 }

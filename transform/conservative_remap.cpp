@@ -23,15 +23,15 @@ constexpr double kOvershootTolerance = 1e-6;
 // Returns the weights of the bin masses in the Lagrange interpolation of the cumulative
 // distribution at x. The weights exclude the bins before the bin of x, whose masses enter with
 // weight 1.
-ConservativeRemap::EdgeStencil ConservativeRemap::interpolation_stencil(
+ConservativeRemap::InterpolationStencil ConservativeRemap::interpolation_stencil(
     std::span<const double> edges, double x) {
   const auto above = std::ranges::lower_bound(edges, x);
   if (above == edges.end()) return {edges.size() - 1, 0, {}};
   const auto k = above - edges.begin();
   if (*above == x || k == 0) return {static_cast<std::size_t>(k), 0, {}};
 
-  // The stencil is chosen from the edges begin .. end - 1. If one of these edges is at 0, all
-  // stencil edges have the sign of x or are 0.
+  // The interpolation stencil is chosen from the bin edges with the indices begin .. end - 1. If
+  // one of these bin edges is at 0, all edges of the stencil have the sign of x or are 0.
   std::ptrdiff_t begin = 0, end = std::ssize(edges);
   if (const auto zero = std::ranges::lower_bound(edges, 0.0); zero != edges.end() && *zero == 0) {
     if (x > 0) begin = zero - edges.begin();
@@ -42,10 +42,10 @@ ConservativeRemap::EdgeStencil ConservativeRemap::interpolation_stencil(
 
   const std::vector<double> lagrange = numerics::lagrange_weights(
       edges.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(points)), x);
-  // The cumulative distribution at edge a is the mass of all bins before a. The bins before bin k -
-  // 1, which contains x, are subtracted.
-  EdgeStencil result{static_cast<std::size_t>(k - 1), static_cast<std::size_t>(first),
-                     std::vector<double>(static_cast<std::size_t>(points - 1))};
+  // The cumulative distribution at edge a is the mass of all bins before a. The masses of all bins
+  // before bin k - 1, the bin of x, are subtracted.
+  InterpolationStencil result{static_cast<std::size_t>(k - 1), static_cast<std::size_t>(first),
+                              std::vector<double>(static_cast<std::size_t>(points - 1))};
   double sum = 0;
   for (auto a = points - 1; a > 0; --a) {
     sum += lagrange[a];
@@ -66,9 +66,9 @@ std::vector<double> ConservativeRemap::operator()(std::span<const double> masses
     overshoot_tolerance = std::numeric_limits<double>::infinity();
   }
   std::vector<double> result;
-  const EdgeStencil* before = nullptr;
+  const InterpolationStencil* before = nullptr;
   double within_before = 0;  // mass in the source bin of the previous target edge, below this edge
-  for (const EdgeStencil& edge : edges_) {
+  for (const InterpolationStencil& edge : edges_) {
     const bool same_bin = before != nullptr && before->bin == edge.bin;
     double within = 0;
     if (!edge.weights.empty()) {

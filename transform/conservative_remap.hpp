@@ -9,10 +9,10 @@ namespace fpkcheck::transform {
 /// Conservative remapping of the masses of one set of bins to another set of bins, along one axis.
 ///
 /// The cumulative distribution is known exactly at the edges of the old bins. Polynomials of degree
-/// 7 interpolate the cumulative distribution at the edges of the new bins, and its differences are
-/// the new masses. The total mass between the ends of the new bins is therefore conserved. No
-/// interpolation stencil extends across 0, where the density of y' may be discontinuous at the
-/// wall.
+/// 7 interpolate the cumulative distribution at the edges of the new bins, and the differences of
+/// the interpolated values are the new masses. The total mass between the ends of the new bins is
+/// therefore conserved. No interpolation stencil extends across 0, where the density of y' may be
+/// discontinuous at the wall.
 ///
 /// Next to a spike of the density, the interpolating polynomial overshoots by more than the mass of
 /// the adjacent bin. For nonnegative masses, the interpolated cumulative distribution is therefore
@@ -31,14 +31,14 @@ class ConservativeRemap {
   /// Weights of the old masses in the cumulative distribution at an edge of the new bins. The
   /// cumulative distribution is the sum of the masses of all old bins before `bin`, plus the sum
   /// over k of weights[k] times the mass of the old bin first + k.
-  struct EdgeStencil {
+  struct InterpolationStencil {
     std::size_t bin;
     std::size_t first;
     std::vector<double> weights;
   };
-  static EdgeStencil interpolation_stencil(std::span<const double> source_edges, double x);
+  static InterpolationStencil interpolation_stencil(std::span<const double> source_edges, double x);
 
-  std::vector<EdgeStencil> edges_;
+  std::vector<InterpolationStencil> edges_;
 };
 
 }  // namespace fpkcheck::transform

@@ -88,7 +88,7 @@ Density to_physical_coordinates(const problem::WallFrame& frame, Density density
 }
 
 Density to_wall_coordinates(const problem::WallFrame& frame, Density density) {
-  return to_physical_coordinates(frame.inverse(), std::move(density));
+  return to_physical_coordinates(frame.inverse_frame(), std::move(density));
 }
 
 Solution to_physical_coordinates(const problem::WallFrame& frame, Solution solution,

@@ -28,8 +28,9 @@ SmoothDensity zhuravlev_transform(ZhuravlevDensity density);
 /// coordinates y. The function to_x_edges() is the inverse transformation.
 std::vector<double> to_y_edges(const problem::WallFrame& frame, const std::vector<double>& x_edges);
 std::vector<double> to_x_edges(const problem::WallFrame& frame, const std::vector<double>& y_edges);
-/// Transforms increasing cell edges of the velocity from wall to physical coordinates or back. This
-/// transformation is its own inverse, since it changes at most the sign of the velocity.
+/// Transforms increasing cell edges of the velocity from wall to physical coordinates or back. The
+/// transformation of velocity edges is its own inverse, since at most the sign of the velocity
+/// changes.
 std::vector<double> transform_v_edges(const problem::WallFrame& frame,
                                       const std::vector<double>& edges);
 

@@ -16,9 +16,11 @@ struct GridDensity {
   std::vector<double> v_edges;   ///< nv + 1 increasing cell edges
   std::vector<double> averages;  ///< averages over cells, row-major, shape (ny, nv)
 
-  std::size_t ny() const { return y_edges.size() - 1; }
-  std::size_t nv() const { return v_edges.size() - 1; }
-  double cell_average(std::size_t i, std::size_t j) const { return averages[i * nv() + j]; }
+  std::size_t y_cell_count() const { return y_edges.size() - 1; }
+  std::size_t v_cell_count() const { return v_edges.size() - 1; }
+  double cell_average(std::size_t i, std::size_t j) const {
+    return averages[i * v_cell_count() + j];
+  }
 };
 
 /// A density given by a function of (y, v), which is zero outside [y_min, y_max] x [-v_max, v_max].
@@ -55,7 +57,7 @@ double expectation(const SmoothDensity& density, const std::function<double(doub
 
 /// Returns the flux int_{v<0} |v|^power p(0, v) dv at the wall y = 0, which is the impact rate for
 /// power 1 and twice the energy flux for power 3.
-double impact_flux(const SmoothDensity& density, int power);
+double flux_into_left_wall(const SmoothDensity& density, int power);
 
 /// Averages a smooth density over cells, with three Gauss-Legendre points along each side of a
 /// cell.

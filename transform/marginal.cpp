@@ -12,10 +12,10 @@ namespace {
 
 std::vector<double> masses_along(const GridDensity& density, StateVariable variable) {
   const bool is_y = variable == StateVariable::y;
-  std::vector<double> masses(is_y ? density.ny() : density.nv());
-  for (std::size_t i = 0; i < density.ny(); ++i) {
+  std::vector<double> masses(is_y ? density.y_cell_count() : density.v_cell_count());
+  for (std::size_t i = 0; i < density.y_cell_count(); ++i) {
     const double dy = density.y_edges[i + 1] - density.y_edges[i];
-    for (std::size_t j = 0; j < density.nv(); ++j) {
+    for (std::size_t j = 0; j < density.v_cell_count(); ++j) {
       const double dv = density.v_edges[j + 1] - density.v_edges[j];
       masses[is_y ? i : j] += density.cell_average(i, j) * dy * dv;
     }
@@ -68,7 +68,7 @@ double l1_distance(const Marginal& a, const Marginal& b) {
   }
   double sum = 0;
   for (std::size_t k = 0; k < a.size(); ++k) {
-    sum += std::abs(a.density[k] - b.density[k]) * a.width(k);
+    sum += std::abs(a.density[k] - b.density[k]) * a.bin_width(k);
   }
   return sum;
 }
@@ -113,8 +113,8 @@ double distance(const std::vector<double>& p, const std::vector<double>& q,
 
 }  // namespace
 
-QuadratureMarginals quadrature_marginals(const SmoothDensity& density, double y_max, double v_max,
-                                         QuadraturePanelSpacing panels) {
+QuadratureMarginals marginals_at_quadrature_points(const SmoothDensity& density, double y_max,
+                                                   double v_max, QuadraturePanelSpacing panels) {
   const auto y_points = density.y_min == 0 ? half_line_points(y_max, panels)
                                            : numerics::composite_gauss_points(
                                                  density.y_min, y_max, kPanelsBetweenOpenEnds);
@@ -160,7 +160,7 @@ double mean_of_displacement_polynomial(const QuadratureMarginals& marginals,
   return sum;
 }
 
-double distance(const QuadratureMarginals& a, const QuadratureMarginals& b) {
+double summed_l1_distance(const QuadratureMarginals& a, const QuadratureMarginals& b) {
   assert(a.y == b.y && a.weight_v == b.weight_v);
   return distance(a.p_y, b.p_y, a.weight_y) + distance(a.p_v, b.p_v, a.weight_v);
 }

@@ -26,8 +26,8 @@ struct Marginal {
   std::vector<double> upper;    ///< n upper ends of 95 % confidence intervals, or empty
 
   std::size_t size() const { return density.size(); }
-  double centre(std::size_t b) const { return (edges[b] + edges[b + 1]) / 2; }
-  double width(std::size_t b) const { return edges[b + 1] - edges[b]; }
+  double bin_centre(std::size_t b) const { return (edges[b] + edges[b + 1]) / 2; }
+  double bin_width(std::size_t b) const { return edges[b + 1] - edges[b]; }
 };
 
 /// Computes the marginal density of y, paper (30), or of y', paper (34), averaged over the bins
@@ -42,17 +42,17 @@ double l1_distance(const Marginal& a, const Marginal& b);
 
 enum class QuadraturePanelSpacing {
   uniform,
-  /// Panels become narrower towards 0, where strong dissipation and rare impulses cause a spike of
-  /// the density.
+  /// Quadrature panels become narrower towards 0, where strong dissipation and rare impulses cause
+  /// a spike of the density.
   graded,
-  /// Panels of `graded` with a geometrically subdivided first panel, for densities that are
-  /// self-similar near the origin.
+  /// Quadrature panels of the enumerator `graded` with a geometrically subdivided first panel, for
+  /// densities that are self-similar near the origin.
   geometric
 };
 
 /// Marginal densities at the points of a composite Gauss-Legendre rule on [y_min, y_max] x [-v_max,
-/// 0] and [y_min, y_max] x [0, v_max]. Mass and moments are computed from these values of the
-/// marginal densities.
+/// 0] and [y_min, y_max] x [0, v_max]. The mass and the moments are computed from the values of the
+/// marginal densities at these points.
 struct QuadratureMarginals {
   std::vector<double> y;         ///< points of the quadrature rule in y
   std::vector<double> p_y, p_v;  ///< p(y) and p(y') at the quadrature points
@@ -64,7 +64,7 @@ struct QuadratureMarginals {
 /// Computes the marginals of a density on a given domain, for example the domain of another density
 /// for a comparison. For a density without a wall at y = 0, the panels of y have equal widths for
 /// every value of `panels`.
-QuadratureMarginals quadrature_marginals(
+QuadratureMarginals marginals_at_quadrature_points(
     const SmoothDensity& density, double y_max, double v_max,
     QuadraturePanelSpacing panels = QuadraturePanelSpacing::uniform);
 
@@ -73,6 +73,6 @@ double mean_of_displacement_polynomial(const QuadratureMarginals& marginals,
 
 /// Returns the L1 distance of the marginals p(y) plus the L1 distance of the marginals p(y').
 /// @pre a and b have the same quadrature points
-double distance(const QuadratureMarginals& a, const QuadratureMarginals& b);
+double summed_l1_distance(const QuadratureMarginals& a, const QuadratureMarginals& b);
 
 }  // namespace fpkcheck::transform

@@ -6,13 +6,13 @@
 
 namespace fpkcheck::transform {
 
-const Metric* find_metric(const Metrics& metrics, std::string_view path) {
-  const auto found = std::ranges::find(metrics, path, &Metric::path);
+const SolverMetric* find_metric(const Metrics& metrics, std::string_view path) {
+  const auto found = std::ranges::find(metrics, path, &SolverMetric::path);
   return found == metrics.end() ? nullptr : &*found;
 }
 
 std::optional<double> metric_number(const Metrics& metrics, std::string_view path) {
-  const Metric* found = find_metric(metrics, path);
+  const SolverMetric* found = find_metric(metrics, path);
   if (found == nullptr) return std::nullopt;
   if (const auto* count = std::get_if<std::int64_t>(&found->value)) {
     return static_cast<double>(*count);
@@ -22,32 +22,37 @@ std::optional<double> metric_number(const Metrics& metrics, std::string_view pat
 }
 
 std::optional<std::string> metric_text(const Metrics& metrics, std::string_view path) {
-  const Metric* found = find_metric(metrics, path);
+  const SolverMetric* found = find_metric(metrics, path);
   const auto* word = found == nullptr ? nullptr : std::get_if<std::string>(&found->value);
   return word == nullptr ? std::nullopt : std::optional(*word);
 }
 
-MetricBuilder& MetricBuilder::add(Metric metric) {
+SolverMetricsBuilder& SolverMetricsBuilder::add(SolverMetric metric) {
   metrics_.push_back(std::move(metric));
   return *this;
 }
-MetricBuilder& MetricBuilder::add_result(const std::string& path, base::Value value) {
+SolverMetricsBuilder& SolverMetricsBuilder::add_result_metric(const std::string& path,
+                                                              base::Value value) {
   return add({.path = path, .value = std::move(value)});
 }
-MetricBuilder& MetricBuilder::add_diagnostic(const std::string& path, base::Value value) {
-  return add({.path = path, .value = std::move(value), .kind = MetricKind::work});
+SolverMetricsBuilder& SolverMetricsBuilder::add_diagnostic_metric(const std::string& path,
+                                                                  base::Value value) {
+  return add({.path = path, .value = std::move(value), .kind = SolverMetricKind::work});
 }
-MetricBuilder& MetricBuilder::add_text(const std::string& path, base::Value value) {
-  return add({.path = path, .value = std::move(value), .kind = MetricKind::text});
+SolverMetricsBuilder& SolverMetricsBuilder::add_text_metric(const std::string& path,
+                                                            base::Value value) {
+  return add({.path = path, .value = std::move(value), .kind = SolverMetricKind::text});
 }
-MetricBuilder& MetricBuilder::add_error(const std::string& path, base::Value value) {
-  return add({.path = path, .value = std::move(value), .kind = MetricKind::error});
+SolverMetricsBuilder& SolverMetricsBuilder::add_error_metric(const std::string& path,
+                                                             base::Value value) {
+  return add({.path = path, .value = std::move(value), .kind = SolverMetricKind::error});
 }
-MetricBuilder& MetricBuilder::add_empty_list(const std::string& path, MetricKind kind) {
+SolverMetricsBuilder& SolverMetricsBuilder::add_empty_list(const std::string& path,
+                                                           SolverMetricKind kind) {
   return add({.path = path + "[]", .value = {}, .kind = kind});
 }
 
-void add_balance_metrics(MetricBuilder& builder, const BalanceResiduals& residuals,
+void add_balance_metrics(SolverMetricsBuilder& builder, const BalanceResiduals& residuals,
                          const BalanceResiduals& standard_errors) {
   constexpr std::pair<const char*, std::optional<double> BalanceResiduals::*> kIdentities[] = {
       {"balances.virial", &BalanceResiduals::virial},
@@ -57,9 +62,9 @@ void add_balance_metrics(MetricBuilder& builder, const BalanceResiduals& residua
     const std::string error_path = std::string(path) + "_error";
     builder.add({.path = path,
                  .value = value_from_optional(residuals.*identity),
-                 .kind = MetricKind::work,
+                 .kind = SolverMetricKind::work,
                  .standard_error_path = error ? error_path : ""});
-    if (error) builder.add_error(error_path, *error);
+    if (error) builder.add_error_metric(error_path, *error);
   }
 }
 

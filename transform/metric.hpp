@@ -13,7 +13,7 @@ namespace fpkcheck::transform {
 
 /// Type of a metric, which determines how closely a repeated run must reproduce the value of the
 /// metric.
-enum class MetricKind {
+enum class SolverMetricKind {
   result,  ///< part of the solution, which a repeated run must reproduce
   /// Coefficient of a closed form; the last digits of coefficients are not determined.
   coefficient,
@@ -25,37 +25,40 @@ enum class MetricKind {
 /// A quantity of a solution that only one solver returns. The path of a metric, such as
 /// "support.edge_density" or "quantiles.y[2].value", is the same in files and on the report page.
 /// Code that writes, checks or prints metrics is therefore independent of the solvers.
-struct Metric {
+struct SolverMetric {
   std::string path;
   base::Value value;  ///< value; null if the quantity is absent
-  MetricKind kind = MetricKind::result;
+  SolverMetricKind kind = SolverMetricKind::result;
   /// Path of the metric with the standard error of this metric; empty for a deterministic value.
   std::string standard_error_path = {};
-  /// Lower limit of the scale max(|value|, min_scale) that divides a change of the value.
+  /// Lower limit `min_scale` of the scale max(|value|, min_scale), by which a change of the value
+  /// of the metric is divided.
   double min_scale = 0.1;
-  /// Whether rounding errors change the value strongly, as in far tails and in small differences.
+  /// Whether rounding errors strongly change the value of the metric, as in far tails and in small
+  /// differences.
   bool is_rounding_sensitive = false;
 
-  bool operator==(const Metric&) const = default;
+  bool operator==(const SolverMetric&) const = default;
 };
 
-using Metrics = std::vector<Metric>;
+using Metrics = std::vector<SolverMetric>;
 
-const Metric* find_metric(const Metrics& metrics, std::string_view path);
+const SolverMetric* find_metric(const Metrics& metrics, std::string_view path);
 /// Returns the numerical value of the metric with this path; empty if no numerical metric has this
 /// path.
 std::optional<double> metric_number(const Metrics& metrics, std::string_view path);
 /// Returns the text of the metric with this path; empty if no metric with a text has this path.
 std::optional<std::string> metric_text(const Metrics& metrics, std::string_view path);
 
-class MetricBuilder {
+class SolverMetricsBuilder {
  public:
-  MetricBuilder& add_result(const std::string& path, base::Value value);
-  MetricBuilder& add_diagnostic(const std::string& path, base::Value value);
-  MetricBuilder& add_text(const std::string& path, base::Value value);
-  MetricBuilder& add_error(const std::string& path, base::Value value);
-  MetricBuilder& add(Metric metric);
-  MetricBuilder& add_empty_list(const std::string& path, MetricKind kind = MetricKind::result);
+  SolverMetricsBuilder& add_result_metric(const std::string& path, base::Value value);
+  SolverMetricsBuilder& add_diagnostic_metric(const std::string& path, base::Value value);
+  SolverMetricsBuilder& add_text_metric(const std::string& path, base::Value value);
+  SolverMetricsBuilder& add_error_metric(const std::string& path, base::Value value);
+  SolverMetricsBuilder& add(SolverMetric metric);
+  SolverMetricsBuilder& add_empty_list(const std::string& path,
+                                       SolverMetricKind kind = SolverMetricKind::result);
 
   Metrics take_metrics() { return std::move(metrics_); }
 
@@ -85,7 +88,7 @@ struct BalanceResiduals {
 /// Adds the balance residuals as metrics "balances.virial" and "balances.momentum". Standard
 /// errors, if present, become the metrics "balances.virial_error" and "balances.momentum_error".
 /// The balance metrics are diagnostics, which a repeated run need not reproduce.
-void add_balance_metrics(MetricBuilder& builder, const BalanceResiduals& residuals,
+void add_balance_metrics(SolverMetricsBuilder& builder, const BalanceResiduals& residuals,
                          const BalanceResiduals& standard_errors = {});
 
 }  // namespace fpkcheck::transform

@@ -6,14 +6,15 @@
 
 namespace fpkcheck::transform {
 
-std::optional<StartState> passage_start(const problem::Problem& transformed, double barrier,
-                                        const std::optional<StartState>& given) {
+std::optional<PassageStartState> passage_start_state(
+    const problem::Problem& transformed, double barrier,
+    const std::optional<PassageStartState>& given) {
   if (given) {
-    return StartState{transformed.frame.wall_x(given->y),
-                      transformed.frame.physical_velocity(given->ydot)};
+    return PassageStartState{transformed.frame.wall_x(given->y),
+                             transformed.frame.physical_velocity(given->ydot)};
   }
   const auto rest = problem::rest_displacement(transformed, barrier);
-  return rest ? std::optional(StartState{*rest, 0}) : std::nullopt;
+  return rest ? std::optional(PassageStartState{*rest, 0}) : std::nullopt;
 }
 
 double energy_level_in_wall_coordinates(const problem::Problem& transformed, double energy) {

@@ -17,7 +17,7 @@ struct ValueWithError {
 
 /// Barrier of a first passage: a displacement, tau = inf {t : y(t) >= level}, or an energy, tau =
 /// inf {t : v^2/2 + U(y) >= level}, with the potential U of the spring, U(0) = 0.
-struct Barrier {
+struct PassageBarrier {
   enum class Quantity { displacement, energy };
   Quantity quantity = Quantity::displacement;
   double level = 0;
@@ -26,7 +26,7 @@ struct Barrier {
 };
 
 /// Initial state of a passage.
-struct StartState {
+struct PassageStartState {
   double y = 0, ydot = 0;
 };
 
@@ -36,8 +36,9 @@ struct StartState {
 /// @param transformed problem in wall coordinates
 /// @param barrier barrier in wall coordinates
 /// @param given state in physical coordinates
-std::optional<StartState> passage_start(const problem::Problem& transformed, double barrier,
-                                        const std::optional<StartState>& given);
+std::optional<PassageStartState> passage_start_state(const problem::Problem& transformed,
+                                                     double barrier,
+                                                     const std::optional<PassageStartState>& given);
 
 /// Returns the level of an energy barrier in wall coordinates, in which the potential is 0 at the
 /// origin of the wall coordinates.
@@ -49,31 +50,33 @@ double energy_level_in_wall_coordinates(const problem::Problem& transformed, dou
 std::vector<double> automatic_survival_times(double mean_passage_time);
 
 /// Mean passage times T(y, y') of the starts below a barrier, as averages over cells.
-struct MeanTimeMap {
+struct MeanPassageTimeMap {
   std::vector<double> y_edges, v_edges;  ///< increasing
   std::vector<double> averages;          ///< row-major, shape (ny, nv)
 };
 
-/// First passage above a Barrier. Passage times
-/// `from_point` start in a StartState, or at rest on the wall or at the equilibrium. Passage times
-/// `from_stationary` start from the stationary distribution below the barrier. A value is absent if
-/// the method does not compute this value.
-struct Passage {
+/// First passage above a PassageBarrier. Passage times `from_point` start in a PassageStartState,
+/// or at rest on the wall or at the equilibrium. Passage times `from_stationary` start from the
+/// stationary distribution below the barrier. A passage time or rate is absent if the method does
+/// not compute this quantity.
+struct FirstPassageResult {
   std::string id;  ///< id of the solution, such as "fd-kf", "mcs" or "rice"
   Status status = Status::failed;
   std::string reason = {};  ///< reason of the status, one sentence; empty only for status ok
   double seconds = 0;
-  /// Rate of passages g in the limit of long times: P(tau > t) ~ C exp(-g t)
+  /// Rate g of passages in the limit of long times, P(tau > t) ~ C exp(-g t) with a constant C.
   std::optional<ValueWithError> hazard = {};
   std::optional<ValueWithError> mean_from_point = {}, mean_from_stationary = {};
-  /// Rate of upward crossings of a displacement barrier in the stationary process (Rice)
+  /// Rate of upward crossings of a displacement barrier in the stationary process (Rice).
   std::optional<ValueWithError> rice_rate = {};
   /// Stationary probability of the states below the barrier
   std::optional<ValueWithError> probability_below = {};
   std::vector<double> times = {};
-  /// Probabilities P(tau > t) at the times; empty if not computed
+  /// Survival probabilities P(tau > t) of the passage time tau at the times t; empty if not
+  /// computed.
   std::vector<ValueWithError> survival_from_point = {}, survival_from_stationary = {};
-  std::optional<MeanTimeMap> mean_times = {};  ///< mean times from all starts below the barrier
+  std::optional<MeanPassageTimeMap> mean_passage_times_by_start =
+      {};                            ///< mean times from all starts below the barrier
   bool has_standard_errors = false;  ///< whether the errors are standard errors of a simulation
   /// Whether each exact value is guaranteed to differ from its value by at most its error
   bool has_guaranteed_errors = false;

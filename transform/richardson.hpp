@@ -11,13 +11,13 @@
 ///     R = |u_1 - u_0| / |u_2 - u_1|,      of observed order log(R) / log(q),
 ///
 /// then the error of u_2 is |u_2 - u_1| / (R - 1), and u_2 + (u_2 - u_1) / (R - 1) is the
-/// Richardson limit. The ratio R is computed from sums of the L1 differences of both marginals,
-/// since the difference of a single marginal may be small by chance. The ratio R is clamped between
-/// q (convergence order 1) and q^p, where p is the convergence order of the scheme. Accidental
-/// agreement of two grid levels then does not reduce the error estimate. If the differences
-/// decrease faster than the scheme allows, the coarsest grid did not resolve the solution, and R
-/// gives no information on the error of the finest grid. The error estimate is not a bound, since
-/// the observed order changes from grid to grid.
+/// Richardson limit. The ratio R of consecutive grid differences is computed from sums of the L1
+/// differences of both marginals, since the difference of a single marginal may be small by chance.
+/// The ratio R is clamped between q (convergence order 1) and q^p, where p is the convergence order
+/// of the scheme. Accidental agreement of two grid levels then does not reduce the error estimate.
+/// If the differences decrease faster than the scheme allows, the coarsest grid did not resolve the
+/// solution, and the ratio R gives no information on the error of the finest grid. The error
+/// estimate is not a bound, since the observed order changes from grid to grid.
 namespace fpkcheck::transform {
 
 /// Default ratio of the cell widths of consecutive grid levels.
@@ -41,9 +41,9 @@ double credible_convergence_order(double observed, int scheme_order);
 bool has_richardson_limit(double observed, int scheme_order);
 
 /// Returns the error estimate of a quantity on the finest grid from the last two differences of the
-/// quantity. The last difference may be small by chance. The function therefore returns `factor`
-/// times the larger of the last difference and the previous difference divided by the reduction
-/// ratio R.
+/// quantity. The difference between the last two grids may be small by chance. The function
+/// therefore returns `factor` times the larger of the last difference and the previous difference
+/// divided by the reduction ratio R.
 /// @param factor ratio of the error to the last difference, about 1 / (R - 1)
 double error_from_differences(double before, double last, double reduction_ratio, double factor);
 

@@ -39,7 +39,7 @@ struct MarginalDerivatives {
   std::vector<std::vector<double>> derivatives = {};
   std::vector<std::vector<double>> errors = {};  ///< estimated errors, shape (parameters, n)
 
-  double centre(std::size_t b) const { return (edges[b] + edges[b + 1]) / 2; }
+  double bin_centre(std::size_t b) const { return (edges[b] + edges[b + 1]) / 2; }
   /// Returns the L1 norm of bin averages, int |f| dy.
   double l1_norm(const std::vector<double>& bin_averages) const {
     double sum = 0;
@@ -52,7 +52,7 @@ struct MarginalDerivatives {
 
 /// Derivatives of stationary moments, and of marginal densities if the method computes these
 /// derivatives, with respect to parameters of the problem.
-struct Sensitivities {
+struct MomentSensitivities {
   std::string id;  ///< id of the solution, such as "fd-kf" or "mcs"
   Status status = Status::failed;
   std::string reason = {};  ///< reason of the status, one sentence; empty only for status ok

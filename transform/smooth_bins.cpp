@@ -34,7 +34,7 @@ std::vector<double> smooth_segment_ends(const SmoothBins& bins, const std::vecto
   std::ranges::copy_if(edges, std::back_inserter(cuts),
                        [&](double edge) { return begin < edge && edge < end; });
   std::ranges::sort(cuts);
-  // Edges that coincide with knots up to rounding errors are removed.
+  // Edges of sharp bins that coincide with knots up to rounding errors are removed.
   constexpr double kCoincidenceTolerance = 1e-9;
   cuts.erase(
       std::unique(cuts.begin(), cuts.end(),
@@ -52,7 +52,7 @@ double cardinal_cubic_spline(double t) {
 
 double smooth_bin_weight(const SmoothBins& bins, int bin) {
   const double t = (bins.from - bins.first) / bins.spacing - bin, u = std::abs(t);
-  // The variable `beyond` is the integral of the B-spline M over (u, 2).
+  // The variable `beyond` is the integral of the cubic B-spline M over (u, 2).
   const double outer = std::max(0.0, 2 - u), inner = std::max(0.0, 1 - u);
   const double beyond = (std::pow(outer, 4) - 4 * std::pow(inner, 4)) / 24;
   return bins.spacing * (t >= 0 ? beyond : 1 - beyond);
@@ -67,7 +67,7 @@ Marginal smooth_bin_marginal(const SmoothBins& bins, std::vector<double> average
 Marginal average_over_smooth_bins(const Marginal& sharp, const SmoothBins& bins) {
   std::vector<double> masses;
   for (std::size_t k = 0; k < sharp.size(); ++k) {
-    masses.push_back(sharp.density[k] * sharp.width(k));
+    masses.push_back(sharp.density[k] * sharp.bin_width(k));
   }
   const std::vector<double> cuts = smooth_segment_ends(bins, sharp.edges);
   std::vector<double> nodes;

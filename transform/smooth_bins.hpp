@@ -31,10 +31,10 @@ double smooth_bin_weight(const SmoothBins& bins, int bin);
 /// smooth_bin_weight(bins, b), and therefore sums of averages times widths are integrals.
 Marginal smooth_bin_marginal(const SmoothBins& bins, std::vector<double> averages);
 
-/// Averages a density p on sharp bins over smooth bins. The average over a bin is int M p dx /
-/// smooth_bin_weight(). ConservativeRemap interpolates the cumulative distribution F of p between
-/// the edges, and Boole's rule computes int M p dx = -int M' F dx. Beyond the edges of the sharp
-/// bins the density is taken as 0.
+/// Averages a density p on sharp bins over smooth bins. The average over a smooth bin with the
+/// weight function M is int M p dx / smooth_bin_weight(). ConservativeRemap interpolates the
+/// cumulative distribution F of p between the edges, and Boole's rule computes int M p dx = -int M'
+/// F dx. Beyond the edges of the sharp bins the density is taken as 0.
 /// @param sharp density on sharp bins, which must be narrower than the smooth bins
 Marginal average_over_smooth_bins(const Marginal& sharp, const SmoothBins& bins);
 

@@ -9,7 +9,7 @@
 namespace fpkcheck::transform {
 
 bool has_error_estimate(const Solution& solution) {
-  const auto& sampling = best_sampling_error(solution);
+  const auto& sampling = smallest_known_sampling_errors(solution);
   return std::ranges::all_of(kVariables, [&](StateVariable variable) {
     const bool estimated = std::ranges::any_of(
         solution.estimated_marginals, [&](const auto& one) { return one.first == variable; });
@@ -22,14 +22,14 @@ bool has_error_estimate(const Solution& solution) {
 }
 
 void require_error_estimate(Solution& solution) {
-  if (!solution.is_ok() || has_error_estimate(solution)) return;
+  if (!solution.has_status_ok() || has_error_estimate(solution)) return;
   solution.status = Status::inaccurate;
   solution.reason = "no error estimate: the method has none and there is no reference";
 }
 
 void require_accuracy(double accuracy, const std::string& reason, Solution& solution) {
   require_error_estimate(solution);
-  if (!solution.is_ok() || !solution.error) return;
+  if (!solution.has_status_ok() || !solution.error) return;
   if (std::max(solution.error->y_l1, solution.error->ydot_l1) <= accuracy) return;
   solution.status = Status::inaccurate;
   solution.reason = fmt::format("{} (requested accuracy: {:g})", reason, accuracy);
@@ -62,7 +62,8 @@ Marginal richardson_limit_marginal(const Solution& solution, StateVariable varia
   return limit;
 }
 
-const std::optional<SamplingError>& best_sampling_error(const Solution& solution) {
+const std::optional<MarginalSamplingErrors>& smallest_known_sampling_errors(
+    const Solution& solution) {
   return solution.smooth_sampling ? solution.smooth_sampling : solution.sampling;
 }
 
@@ -74,11 +75,13 @@ const SmoothBinEstimate* find_smooth_bin_estimate(const Solution& solution,
   return nullptr;
 }
 
-std::optional<double> expected_l1_error(const SamplingError& sampling, StateVariable variable) {
+std::optional<double> expected_l1_error(const MarginalSamplingErrors& sampling,
+                                        StateVariable variable) {
   return variable == StateVariable::y ? sampling.y : sampling.ydot;
 }
 
-std::optional<double> l1_error_quantile_99(const SamplingError& sampling, StateVariable variable) {
+std::optional<double> l1_error_quantile_99(const MarginalSamplingErrors& sampling,
+                                           StateVariable variable) {
   return variable == StateVariable::y ? sampling.y_99 : sampling.ydot_99;
 }
 

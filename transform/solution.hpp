@@ -33,20 +33,20 @@ constexpr std::string_view name(Status status) { return base::name_of(status); }
 
 /// Richardson extrapolation from the last two grids: limit = fine + factor (fine - coarser), where
 /// `fine` is the density of the solution.
-struct RichardsonExtrapolation {
+struct CoarserGridDensity {
   Density coarser;
   double factor;  ///< 1/(R - 1), where R is the ratio of consecutive differences between grids
 };
 
 /// Absolute standard errors of the quantities of a simulation.
-struct StandardErrors {
+struct MomentStandardErrors {
   Moments moments = {};
   double energy_residual = 0;
 };
 
 /// Sampling errors in L1 of the marginal densities of a simulation; empty for a marginal density
 /// without standard errors.
-struct SamplingError {
+struct MarginalSamplingErrors {
   std::optional<double> y{}, ydot{};        ///< expected value of the L1 error
   std::optional<double> y_99{}, ydot_99{};  ///< 99 % quantile of the L1 error over repeated runs
 };
@@ -90,13 +90,13 @@ struct Solution {
   std::optional<Density> density = {};
   /// Marginals with confidence intervals, estimated by a simulation; empty for other solvers.
   std::vector<std::pair<StateVariable, Marginal>> estimated_marginals = {};
-  /// Marginals over smooth bins from a simulation with control variates. Their sampling errors are
-  /// far smaller than the sampling errors of marginals over sharp bins. Other solvers and saved
-  /// runs have no such marginals.
+  /// Marginals over smooth bins from a simulation with control variates. The sampling errors of
+  /// marginals over smooth bins are far smaller than the sampling errors of marginals over sharp
+  /// bins. Solutions of other solvers and of saved runs have no marginals over smooth bins.
   std::vector<std::pair<StateVariable, SmoothBinEstimate>> smooth_estimates = {};
   /// Richardson extrapolation, if the solver estimated its discretisation error from a coarser
   /// grid.
-  std::optional<RichardsonExtrapolation> extrapolation = {};
+  std::optional<CoarserGridDensity> extrapolation = {};
 
   /// Moments of the density; not set if there is no density.
   Moments moments = {};
@@ -105,9 +105,9 @@ struct Solution {
   double min_density = 0;      ///< smallest value of the density, relative to the largest value
   double energy_residual = 0;  ///< result of problem::power_balance_residual()
 
-  std::optional<StandardErrors> standard_errors = {};
-  std::optional<SamplingError> sampling = {};
-  std::optional<SamplingError> smooth_sampling = {};
+  std::optional<MomentStandardErrors> standard_errors = {};
+  std::optional<MarginalSamplingErrors> sampling = {};
+  std::optional<MarginalSamplingErrors> smooth_sampling = {};
   std::optional<ErrorEstimate> error = {};
   Metrics metrics = {};
 
@@ -115,7 +115,7 @@ struct Solution {
   bool had_density = false;
 
   const std::string& id() const { return identity.id; }
-  bool is_ok() const { return status == Status::ok; }
+  bool has_status_ok() const { return status == Status::ok; }
   /// Returns whether the solution has a density or a marginal, and therefore moments and a mass.
   bool has_density() const { return density || !estimated_marginals.empty() || had_density; }
 };
@@ -148,11 +148,14 @@ Marginal richardson_limit_marginal(const Solution& solution, StateVariable varia
 
 /// Returns the sampling error of the marginals over smooth bins. If the solution has no marginals
 /// over smooth bins, the result is the sampling error of the marginals over sharp bins.
-const std::optional<SamplingError>& best_sampling_error(const Solution& solution);
+const std::optional<MarginalSamplingErrors>& smallest_known_sampling_errors(
+    const Solution& solution);
 const SmoothBinEstimate* find_smooth_bin_estimate(const Solution& solution, StateVariable variable);
 
-std::optional<double> expected_l1_error(const SamplingError& sampling, StateVariable variable);
-std::optional<double> l1_error_quantile_99(const SamplingError& sampling, StateVariable variable);
+std::optional<double> expected_l1_error(const MarginalSamplingErrors& sampling,
+                                        StateVariable variable);
+std::optional<double> l1_error_quantile_99(const MarginalSamplingErrors& sampling,
+                                           StateVariable variable);
 double l1_error_of_marginal(const ErrorEstimate& error, StateVariable variable);
 
 }  // namespace fpkcheck::transform

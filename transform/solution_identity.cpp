@@ -19,7 +19,7 @@ std::string equation_and_impact_text(const SolutionIdentity& identity) {
                      identity.impact ? name(*identity.impact) : "-");
 }
 
-std::string short_name_in_family(const SolutionIdentity& identity) {
+std::string solution_name_within_family(const SolutionIdentity& identity) {
   if (identity.order) return fmt::format("n{}", *identity.order);
   const std::string prefix = identity.method + "-";
   return identity.id.starts_with(prefix) ? identity.id.substr(prefix.size()) : identity.id;

@@ -76,6 +76,6 @@ std::string equation_and_impact_text(const SolutionIdentity& identity);
 
 /// Returns the short name of a solution within its family, such as "n6" or "kf". If the solution
 /// has no shorter name, the result is its id.
-std::string short_name_in_family(const SolutionIdentity& identity);
+std::string solution_name_within_family(const SolutionIdentity& identity);
 
 }  // namespace fpkcheck::transform

@@ -14,7 +14,7 @@ std::optional<SpectralPeak> find_spectral_peak(const std::vector<double>& freque
     if (is_maximum && (top == 0 || density[k] > density[top])) top = k;
   }
   if (top == 0) return std::nullopt;
-  // The peak is the vertex of the interpolating parabola in Newton's form.
+  // The spectral peak is the vertex of the interpolating parabola in Newton's form.
   const double a = frequencies[top - 1], b = frequencies[top], c = frequencies[top + 1];
   const double slope_ab = (density[top] - density[top - 1]) / (b - a);
   const double slope_bc = (density[top + 1] - density[top]) / (c - b);
@@ -23,7 +23,8 @@ std::optional<SpectralPeak> find_spectral_peak(const std::vector<double>& freque
   peak.density = density[top - 1] + slope_ab * (peak.frequency - a) +
                  curvature * (peak.frequency - a) * (peak.frequency - b);
 
-  // Returns the frequency at which the density falls to half of the peak, in one direction.
+  // Returns the frequency at which the spectral density falls to half of the peak, in one direction
+  // from the peak.
   const auto half_frequency = [&](int direction) -> std::optional<double> {
     for (std::size_t k = top; k != (direction < 0 ? 0 : density.size() - 1);) {
       const std::size_t next = direction < 0 ? k - 1 : k + 1;

@@ -13,13 +13,13 @@ namespace fpkcheck::transform {
 struct SpectralPeak {
   double frequency = 0;
   double density = 0;
-  /// Half of the width of the peak at half of its height. The half-width is absent if the density
-  /// exceeds half of the maximum everywhere on one side of the peak.
+  /// Half of the width of the peak at half of its height. The half-width is absent if the spectral
+  /// density exceeds half of the maximum everywhere on one side of the peak.
   std::optional<double> half_width = {};
 };
 
-/// A mode of the autocovariance, a decaying exponential: an eigenvalue -(decay_rate +- i frequency) of
-/// the generator, and its share R_mode(0) / R(0) of the variance.
+/// A mode of the autocovariance, a decaying exponential: an eigenvalue -(decay_rate +- i frequency)
+/// of the generator, and its share R_mode(0) / R(0) of the variance.
 struct CovarianceMode {
   double decay_rate = 0, frequency = 0;
   double decay_rate_error = 0, frequency_error = 0;  ///< absolute errors
@@ -31,7 +31,7 @@ struct CovarianceMode {
 ///     G(w) = (2/pi) int_0^inf R(t) cos(w t) dt,   int_0^inf G(w) dw = R(0) = Var,
 ///
 /// with the autocovariance R and the angular frequency w >= 0.
-struct Spectrum {
+struct SpectralDensity {
   std::string id;  ///< id of the solution, such as "fd-kf" or "mcs"
   StateVariable variable = StateVariable::y;
   Status status = Status::failed;
@@ -56,8 +56,8 @@ struct Spectrum {
 };
 
 /// Returns the highest local maximum of the density between the first and the last frequency. A
-/// parabola through three points interpolates the maximum. The result is empty if the density has
-/// no interior maximum.
+/// parabola through three points interpolates the maximum. The result is empty if the spectral
+/// density has no maximum between the first and the last frequency.
 std::optional<SpectralPeak> find_spectral_peak(const std::vector<double>& frequencies,
                                                const std::vector<double>& density);
 

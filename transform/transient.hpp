@@ -36,7 +36,7 @@ struct TransientSnapshot {
 };
 
 /// The density over time by one method.
-struct Transient {
+struct TransientDensities {
   std::string id;  ///< id of the solution, such as "fd-kf" or "epc-polar-n6"
   Status status = Status::failed;
   std::string reason = {};  ///< reason of the status, one sentence; empty only for status ok
@@ -49,8 +49,8 @@ struct Transient {
 
 /// Estimates the errors of the snapshots by the differences to less accurate snapshots. The error
 /// of a snapshot is the largest difference over the snapshots within half a period of its time and
-/// over the two neighbouring snapshots. The maximum is taken since the differences oscillate and a
-/// single difference may be 0 by chance.
+/// over the two neighbouring snapshots. The maximum over neighbouring snapshots is taken, since the
+/// differences oscillate and a single difference may be 0 by chance.
 /// @param less_accurate less accurate snapshots at the same times and with the same bins; the last
 /// times may be missing
 void estimate_errors_by_differences(const std::vector<TransientSnapshot>& less_accurate,

@@ -28,7 +28,7 @@ int thread_count(const BoundsOptions& options) {
 
 double requested_half_width(const FunctionalBounds& bound, const BoundsOptions& options) {
   return std::max(options.absolute_half_width,
-                  options.relative_half_width * std::abs(bound.enclosure.middle()));
+                  options.relative_half_width * std::abs(bound.enclosure.midpoint()));
 }
 
 bool is_narrow_enough(const FunctionalBounds& bound, const BoundsOptions& options) {
@@ -268,7 +268,7 @@ std::string unmet_width_reason(const GridRefinement& refinement, const BoundsOpt
       if (reasons[i].cause != StopReason::Cause::finest_grid) continue;
       const numerics::Enclosure& value = refinement.bounds.functional_bounds[i].enclosure;
       widest = std::max(widest, value.half_width());
-      relative = std::max(relative, value.half_width() / std::abs(value.middle()));
+      relative = std::max(relative, value.half_width() / std::abs(value.midpoint()));
     }
     return fmt::format(
         "guaranteed, but wider than requested: no finer grid exists for {}; request {}",

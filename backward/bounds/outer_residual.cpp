@@ -26,7 +26,7 @@ class OuterResidualBound {
 
   double bound() const {
     double largest = 0;
-    for (int span = 0; span < inputs_.displacement_basis.span_count(); ++span) {
+    for (int span = 0; span < inputs_.displacement_basis.break_span_count(); ++span) {
       largest =
           std::max({largest, region_bound(region_above(span)), region_bound(region_below(span))});
     }
@@ -34,7 +34,7 @@ class OuterResidualBound {
       if (!(at_right ? inputs_.displacement_ends.is_right_end_open
                      : inputs_.displacement_ends.is_left_end_open))
         continue;
-      for (int span = 0; span < inputs_.velocity_basis.speed_basis().span_count(); ++span) {
+      for (int span = 0; span < inputs_.velocity_basis.speed_basis().break_span_count(); ++span) {
         largest = std::max({largest, region_bound(region_past_end(at_right, span, true)),
                             region_bound(region_past_end(at_right, span, false))});
       }
@@ -75,7 +75,7 @@ class OuterResidualBound {
     double slope = 0;
     for (int i = span; i < span + p; ++i) {
       const numerics::Interval width =
-          numerics::Interval(basis.knot(i + p + 1)) - basis.knot(i + 1);
+          numerics::Interval(basis.spline_knot(i + p + 1)) - basis.spline_knot(i + 1);
       slope = std::max(
           slope, magnitude(static_cast<double>(p) *
                            (numerics::Interval(coefficient(i + 1)) - coefficient(i)) / width));

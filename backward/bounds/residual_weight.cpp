@@ -83,7 +83,7 @@ std::string bounds_unsupported_reason(const problem::Problem& problem) {
   const problem::System& system = problem.system;
   const auto& g = system.restoring_force().coefficients();
   const auto &left = system.left_wall(), &right = system.right_wall();
-  if (problem.noise.is_present() || !problem.impulses.is_present()) {
+  if (problem.noise.is_acting() || !problem.impulses.is_acting()) {
     return "white noise is not supported: bounds are for impulses alone";
   }
   if (const auto& law = problem.impulses.amplitude_law(); !has_interval_enclosures(law)) {

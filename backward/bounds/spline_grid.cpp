@@ -9,8 +9,8 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Argument `finest` of numerics::graded_breaks as a fraction of the extent of y, for a basis that
-// does not begin at y = 0 or ends at a wall
+// Argument `finest` of numerics::graded_break_points as a fraction of the extent of y, for a basis
+// that does not begin at y = 0 or ends at a wall
 constexpr double kFinestFractionWithOtherWalls = 3e-2;
 
 }  // namespace
@@ -26,14 +26,14 @@ numerics::SplineBasis make_displacement_spline_basis(const SplineGrid& grid,
   const double begin = system.left_wall() ? std::max(-y, system.left_wall()->position) : -y;
   const double end = system.right_wall() ? std::min(y, system.right_wall()->position) : y;
   if (begin == 0 && end == y) {
-    return numerics::SplineBasis(numerics::graded_breaks(
+    return numerics::SplineBasis(numerics::graded_break_points(
         y, grid.y_cell_count, grid.finest_fraction * y, grid.uniform_from_fraction * y));
   }
   // The certificate V is not smooth across the orbits that graze a wall. The widths of the cells
   // vary little, since the grazing orbits cross the whole phase plane.
   const double width = end - begin;
   const int cells = static_cast<int>(std::ceil(grid.y_cell_count * std::max(0.5, width / y)));
-  std::vector<double> breaks = numerics::graded_breaks(
+  std::vector<double> breaks = numerics::graded_break_points(
       width, cells, kFinestFractionWithOtherWalls * width, grid.uniform_from_fraction * width);
   if (begin == -y) {  // without a left wall all cells have the same width
     for (std::size_t n = 0; n < breaks.size(); ++n) {
@@ -63,7 +63,7 @@ ImpactSplineBasis make_velocity_spline_basis(const SplineGrid& grid, const Resid
   const double u =
       std::sqrt(2 * grid.edge_energy * weight.energy_scale) / std::pow(restitution, 0.85);
   return ImpactSplineBasis(
-      numerics::SplineBasis(numerics::graded_breaks(
+      numerics::SplineBasis(numerics::graded_break_points(
           u, grid.speed_cell_count, grid.finest_fraction * u, grid.uniform_from_fraction * u)),
       restitution);
 }

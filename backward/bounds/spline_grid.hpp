@@ -13,8 +13,8 @@ namespace fpkcheck::backward {
 struct SplineGrid {
   int y_cell_count;      ///< number of cells of y, if the only wall is at y = 0
   int speed_cell_count;  ///< number of cells of the impact speed, the same before and after impacts
-  /// Arguments `finest` and `uniform_from` of numerics::graded_breaks, as fractions of the extent
-  /// of the axis
+  /// Arguments `finest` and `uniform_from` of numerics::graded_break_points, as fractions of the
+  /// extent of the axis
   double finest_fraction, uniform_from_fraction;
   double edge_energy;  ///< energy G (ResidualWeight) at the edges of the box, in units of h0
 

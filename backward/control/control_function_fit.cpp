@@ -94,13 +94,13 @@ std::function<double(double)> cell_width_function(std::vector<double> narrow_pos
 /// Returns the largest magnitude of an amplitude that is not negligible: an atom, or an amplitude
 /// at which the density times the standard deviation of the law exceeds 1e-9.
 double largest_relevant_amplitude(const problem::ImpulseTrain& impulses) {
-  if (!impulses.is_present()) return 0;
+  if (!impulses.is_acting()) return 0;
   double largest = 0;
-  for (const auto& atom : impulses.amplitude_law().atoms()) {
+  for (const auto& atom : impulses.amplitude_law().amplitude_atoms()) {
     largest = std::max(largest, std::abs(atom.amplitude));
   }
   constexpr int kSteps = 200;
-  const auto pieces = impulses.amplitude_law().density_breakpoints();
+  const auto pieces = impulses.amplitude_law().amplitude_density_breakpoints();
   if (pieces.empty()) return largest;
   for (const double end : {pieces.front(), pieces.back()}) {
     for (int k = 1; k <= kSteps; ++k) {
@@ -163,7 +163,7 @@ ControlSplines make_control_splines(const problem::Problem& problem, const Contr
   assert(widths == ControlCellWidths::narrower_at_walls);
   const double uniform_y_width = (high + low) / cells.y_cells,
                uniform_v_width = 2 * scales.v_high / cells.v_cells;
-  const bool spike = problem.noise.is_present() &&
+  const bool spike = problem.noise.is_acting() &&
                      std::ranges::any_of(impact_walls(system),
                                          [](const auto& wall) { return wall.restitution < 1; });
   const auto y_width = cell_width_function(narrow_positions, uniform_y_width,

@@ -83,7 +83,7 @@ GeneratorFactors velocity_generator_factors(const problem::Problem& problem,
   const SplineValues b = evaluate_splines(splines, points);
   const Eigen::Map<const Eigen::VectorXd> v(points.data(), b.values.rows());
   Eigen::MatrixXd velocity_terms = -system.damping() * (v.asDiagonal() * b.slopes);
-  if (problem.impulses.is_present()) {
+  if (problem.impulses.is_acting()) {
     velocity_terms = problem.impulses.arrival_rate() * (means_after_impulse - b.values) -
                      system.damping() * (v.asDiagonal() * b.slopes);
   }
@@ -91,7 +91,7 @@ GeneratorFactors velocity_generator_factors(const problem::Problem& problem,
     velocity_terms -=
         system.rayleigh_coefficient() * (v.array().cube().matrix().asDiagonal() * b.slopes);
   }
-  if (problem.noise.is_present()) {
+  if (problem.noise.is_acting()) {
     const double diffusion = problem.noise.diffusion();
     for (Eigen::Index n = 0; n < v.size(); ++n) {
       const double at = points[static_cast<std::size_t>(n)];
@@ -145,8 +145,8 @@ Eigen::MatrixXd spline_means_after_impulse(const numerics::QuinticBSplines& spli
                                            std::span<const double> v) {
   Eigen::MatrixXd means =
       Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(v.size()), splines.size());
-  const auto atoms = law.atoms();
-  const auto pieces = law.density_breakpoints();
+  const auto atoms = law.amplitude_atoms();
+  const auto pieces = law.amplitude_density_breakpoints();
   Eigen::RowVectorXd row(splines.size());
   for (std::size_t i = 0; i < v.size(); ++i) {
     row.setZero();
@@ -170,7 +170,7 @@ Eigen::MatrixXd spline_means_after_impulse(const numerics::QuinticBSplines& spli
 Eigen::MatrixXd spline_means_after_impulse(const numerics::QuinticBSplines& splines,
                                            const problem::ImpulseTrain& impulses,
                                            std::span<const double> v) {
-  if (!impulses.is_present()) return {};
+  if (!impulses.is_acting()) return {};
   return spline_means_after_impulse(splines, impulses.amplitude_law(), v);
 }
 

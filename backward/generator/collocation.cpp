@@ -7,7 +7,7 @@ namespace fpkcheck::backward {
 DisplacementSplineSamples sample_displacement_splines(const numerics::SplineBasis& basis,
                                                       int points_per_cell) {
   DisplacementSplineSamples samples;
-  for (int s = 0; s < basis.span_count(); ++s) {
+  for (int s = 0; s < basis.break_span_count(); ++s) {
     const double begin = basis.breaks()[s], width = basis.breaks()[s + 1] - begin;
     for (const double t : numerics::chebyshev_points(points_per_cell)) {
       samples.displacements.push_back(begin + t * width);
@@ -21,7 +21,7 @@ DisplacementSplineSamples sample_displacement_splines(const numerics::SplineBasi
 
 namespace {
 
-double midpoint(const numerics::Interval& x) { return enclosure_from_interval(x).middle(); }
+double midpoint(const numerics::Interval& x) { return enclosure_from_interval(x).midpoint(); }
 
 // Returns the values at t of the Bernstein polynomials of degree n.
 std::vector<double> bernstein_values(int n, double t) {

@@ -4,13 +4,13 @@
 //     L(z) = int_{-inf}^z B(x) exp(-(z - x)/s) dx/(2s),   s L' = -L + B/2,
 //
 // and R is the mirrored integral over x > z. For the exponential law K B(v) is only one of the
-// integrals, with the weight w = 1 in place of 1/2: R(v + m - s) for an upper tail, L(v + m + s) for
-// a lower tail.
+// integrals, with the weight w = 1 in place of 1/2: R(v + m - s) for an upper tail, L(v + m + s)
+// for a lower tail.
 //
 // L is integrated from piece to piece along the velocity axis. Let e be the length of a piece and
 // theta = (z - begin)/e. On the piece L is the sum of two solutions: the homogeneous solution,
-// L(begin) exp(-e theta/s), and the solution that is 0 at theta = 0. Both solutions are power series
-// in theta, whose coefficients q_n satisfy
+// L(begin) exp(-e theta/s), and the solution that is 0 at theta = 0. Both solutions are power
+// series in theta, whose coefficients q_n satisfy
 //
 //     q_{n+1} = (e/s) (-q_n + w b_n) / (n + 1)
 //

@@ -64,7 +64,7 @@ DisplacementFactorEnclosures enclose_displacement_factors(const problem::Problem
   const problem::SystemCoefficients& c = problem.system.coefficients();
   const int degree = basis.degree() + 3;
   DisplacementFactorEnclosures enclosures;
-  for (int span = 0; span < basis.span_count(); ++span) {
+  for (int span = 0; span < basis.break_span_count(); ++span) {
     std::vector<double> points{basis.breaks()[span]};
     for (const double cut : cuts) {
       if (cut > points.back() && cut < basis.breaks()[span + 1]) points.push_back(cut);

@@ -138,8 +138,10 @@ std::vector<VelocityPiece> divide_velocity_axis(const ImpactSplineBasis& basis,
       }
     }
   };
-  for (int s = basis.speed_basis().span_count(); s-- > 0;) add_span(VelocitySide::incoming, s);
-  for (int s = 0; s < basis.speed_basis().span_count(); ++s) add_span(VelocitySide::outgoing, s);
+  for (int s = basis.speed_basis().break_span_count(); s-- > 0;)
+    add_span(VelocitySide::incoming, s);
+  for (int s = 0; s < basis.speed_basis().break_span_count(); ++s)
+    add_span(VelocitySide::outgoing, s);
   return pieces;
 }
 
@@ -152,7 +154,7 @@ std::vector<numerics::BernsteinCoefficients> enclose_partial_sum_slopes(
   std::vector<numerics::BernsteinCoefficients> slopes;
   for (int l = 1; l <= p; ++l) {
     const numerics::Interval distance =
-        numerics::Interval(basis.knot(knot_span + l + p)) - basis.knot(knot_span + l);
+        numerics::Interval(basis.spline_knot(knot_span + l + p)) - basis.spline_knot(knot_span + l);
     numerics::BernsteinCoefficients slope(rows.row(l - 1).begin(), rows.row(l - 1).end());
     for (numerics::Interval& s : slope) s *= static_cast<double>(p) / distance;
     slopes.push_back(std::move(slope));

@@ -71,7 +71,7 @@ class BasisIntegrals {
   }
   // Returns the position of the knot span of a piece in increasing order of v.
   int span_position(const VelocityPiece& piece) const {
-    const int count = basis_.speed_basis().span_count();
+    const int count = basis_.speed_basis().break_span_count();
     switch (piece.side) {
       case VelocitySide::below:
         return 0;

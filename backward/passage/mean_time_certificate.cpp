@@ -256,7 +256,7 @@ std::optional<std::array<MeanTimeCertificate, 2>> compute_mean_time_certificates
   const UnforcedMotionSolver motion(problem.system, barrier, oscillator.deviation, 1);
   const UnforcedMotionSolver trapped_motion(problem.system, barrier + kHigher, oscillator.deviation,
                                             1);
-  const auto mean_times = [&](const PhaseState& start, bool trapped) {
+  const auto mean_passage_times_by_start = [&](const PhaseState& start, bool trapped) {
     const UnforcedTrajectory trajectory =
         (trapped ? trapped_motion : motion).compute_trajectory(start, kMaxExponent / rate);
     Eigen::VectorXd y_polynomials(grid.y_node_count()), v_polynomials(grid.v_node_count());
@@ -301,7 +301,7 @@ std::optional<std::array<MeanTimeCertificate, 2>> compute_mean_time_certificates
                              : region == trapped_down ? trapped_up
                              : region == exit_down    ? exit_up
                                                       : region;
-        const auto times = mean_times(
+        const auto times = mean_passage_times_by_start(
             {is_at_wall ? 0 : barrier - s * s, region_velocity(oscillator, grazing, after, s, eta)},
             is_trapped(region));
         for (std::size_t k = 0; k < 2; ++k)

@@ -24,7 +24,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-using transform::Passage;
+using transform::FirstPassageResult;
 using transform::Status;
 using transform::ValueWithError;
 
@@ -33,7 +33,7 @@ struct PassageProblem {
   const problem::Problem& problem;
   double frequency;  // of the motion (problem::MotionScales)
   ChebyshevGrid::Domain domain;
-  std::optional<transform::StartState> start;
+  std::optional<transform::PassageStartState> start;
 };
 
 // Values on one grid: the quantities of PassageValueIndex, then the survival probabilities at all
@@ -43,13 +43,13 @@ using PassageValues = Eigen::VectorXd;
 enum PassageValueIndex { kHazard, kMeanFromPoint, kMeanFromStationary, kPassageValueCount };
 
 std::string passage_unsupported_reason(const problem::Problem& problem, double barrier) {
-  if (problem.noise.is_present()) {
+  if (problem.noise.is_acting()) {
     return "noise acts between impulses, and the motion is not deterministic; use fd or mcs";
   }
   if (problem.impulse_factor) {
     return "the renewal equation needs impulses without a factor; use fd or mcs";
   }
-  if (!problem.impulses.amplitude_law().atoms().empty()) {
+  if (!problem.impulses.amplitude_law().amplitude_atoms().empty()) {
     return "means over an impulse are smooth functions only for a law with a density; use fd or mcs";
   }
   if (!problem.system.has_polynomial_force()) {
@@ -64,7 +64,7 @@ std::string passage_unsupported_reason(const problem::Problem& problem, double b
 // Returns the problem with a domain that contains the motion before the barrier and from the
 // initial state. The largest impulse widens the range of velocities.
 PassageProblem make_passage_problem(const problem::Problem& problem, double barrier,
-                                    const std::optional<transform::StartState>& start) {
+                                    const std::optional<transform::PassageStartState>& start) {
   const problem::MotionScales scales = problem::motion_scales(problem);
   const problem::EffectivePotential potential(problem.system);
   const auto& wall = problem.system.left_wall();
@@ -74,7 +74,7 @@ PassageProblem make_passage_problem(const problem::Problem& problem, double barr
     lowest = std::min(lowest, potential(y));
     highest = std::max(highest, potential(y));
   };
-  for (const double y : potential.extrema()) {
+  for (const double y : potential.extremum_positions()) {
     if (y < barrier) include(y);
   }
   if (wall) include(wall->position);
@@ -371,12 +371,13 @@ std::optional<PassageValues> PassageSolverOnGrid::solve(std::vector<double>& tim
 
 }  // namespace
 
-Passage solve_passage(const problem::Problem& problem, const PassageCollocationOptions& options,
-                      double barrier, std::vector<double> times,
-                      std::optional<transform::StartState> start) {
+FirstPassageResult solve_passage(const problem::Problem& problem,
+                                 const PassageCollocationOptions& options, double barrier,
+                                 std::vector<double> times,
+                                 std::optional<transform::PassageStartState> start) {
   const base::Stopwatch stopwatch;
   const base::Deadline deadline(options.max_seconds);
-  Passage passage{.id = "characteristics"};
+  FirstPassageResult passage{.id = "characteristics"};
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
   const double wall_barrier = transformed.frame.wall_x(barrier);
@@ -385,7 +386,7 @@ Passage solve_passage(const problem::Problem& problem, const PassageCollocationO
     passage.status = Status::not_offered;
     return passage;
   }
-  start = transform::passage_start(transformed, wall_barrier, start);
+  start = transform::passage_start_state(transformed, wall_barrier, start);
   const PassageProblem below = make_passage_problem(transformed, wall_barrier, start);
 
   // Nodes per standard deviation of the amplitude on the first grid

@@ -33,10 +33,11 @@ struct PassageCollocationOptions {
 /// plus, for survival probabilities, the change by the last shifts of the reduced model.
 /// @param times times of the survival probabilities; if empty, those of
 /// transform::automatic_survival_times() at which the errors are below the accuracy
-/// @param start initial state of Passage::mean_from_point; if empty, the initial state is at rest
-transform::Passage solve_passage(const problem::Problem& problem,
-                                 const PassageCollocationOptions& options, double barrier,
-                                 std::vector<double> times = {},
-                                 std::optional<transform::StartState> start = {});
+/// @param start initial state of FirstPassageResult::mean_from_point; if empty, the initial state
+/// is at rest
+transform::FirstPassageResult solve_passage(const problem::Problem& problem,
+                                            const PassageCollocationOptions& options,
+                                            double barrier, std::vector<double> times = {},
+                                            std::optional<transform::PassageStartState> start = {});
 
 }  // namespace fpkcheck::backward

@@ -12,12 +12,12 @@
 namespace fpkcheck::backward {
 namespace {
 
-using transform::Passage;
+using transform::FirstPassageResult;
 using transform::Status;
 
 std::string mean_bounds_unsupported_reason(const problem::Problem& problem, double barrier,
                                            bool has_start) {
-  if (problem.noise.is_present() || !problem.impulses.is_present() || problem.impulse_factor) {
+  if (problem.noise.is_acting() || !problem.impulses.is_acting() || problem.impulse_factor) {
     return "the bounds are for impulses alone, without a factor; use fd or mcs";
   }
   const problem::ImpulseLaw& law = problem.impulses.amplitude_law();
@@ -55,11 +55,12 @@ ImpactOscillator impact_oscillator(const problem::Problem& problem, double barri
           .barrier = barrier};
 }
 
-Passage bound_passage(const problem::Problem& problem, const PassageBoundsOptions& options,
-                      double barrier, std::optional<transform::StartState> start) {
+FirstPassageResult bound_passage(const problem::Problem& problem,
+                                 const PassageBoundsOptions& options, double barrier,
+                                 std::optional<transform::PassageStartState> start) {
   const base::Stopwatch stopwatch;
   const base::Deadline deadline(options.max_seconds);
-  Passage passage{.id = "bounds"};
+  FirstPassageResult passage{.id = "bounds"};
   passage.has_guaranteed_errors = true;
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);

@@ -19,11 +19,12 @@ struct PassageBoundsOptions {
 ImpactOscillator impact_oscillator(const problem::Problem& problem, double barrier);
 
 /// Computes guaranteed lower and upper bounds of the mean time of the first passage of y above a
-/// barrier, from rest on the wall (docs/functionals.md). Passage::mean_from_point has the middle of
-/// the bounds, and half of their distance as its error. The status is `not_offered` unless the
-/// problem has the oscillator of the paper, Gaussian impulses with mean 0 and the start at rest.
-transform::Passage bound_passage(const problem::Problem& problem,
-                                 const PassageBoundsOptions& options, double barrier,
-                                 std::optional<transform::StartState> start = {});
+/// barrier, from rest on the wall (docs/functionals.md). FirstPassageResult::mean_from_point has
+/// the middle of the bounds, and half of their distance as its error. The status is `not_offered`
+/// unless the problem has the oscillator of the paper, Gaussian impulses with mean 0 and the start
+/// at rest.
+transform::FirstPassageResult bound_passage(const problem::Problem& problem,
+                                            const PassageBoundsOptions& options, double barrier,
+                                            std::optional<transform::PassageStartState> start = {});
 
 }  // namespace fpkcheck::backward

@@ -64,7 +64,7 @@ void ChebyshevGrid::evaluate_v_polynomials(double v, Eigen::Ref<Eigen::VectorXd>
 
 std::array<double, 2> effective_amplitude_range(const problem::ImpulseLaw& law) {
   constexpr double kTailProbability = 5e-10;
-  const std::vector<double> breakpoints = law.density_breakpoints();
+  const std::vector<double> breakpoints = law.amplitude_density_breakpoints();
   const double low = breakpoints.front(), high = breakpoints.back();
   const auto quantile = [&](double probability) {
     const auto excess = [&](double y) { return law.cumulative_probability(y) - probability; };
@@ -84,7 +84,7 @@ RenewalEquation::RenewalEquation(const problem::Problem& problem, const Chebyshe
       motion_solver_(problem.system, grid.domain().barrier,
                      problem.impulses.amplitude_law().deviation(), panel_refinement, barrier_kind),
       max_duration_(kMaxExponent / min_decay_rate) {
-  assert(problem.impulses.amplitude_law().atoms().empty() && !problem.impulse_factor);
+  assert(problem.impulses.amplitude_law().amplitude_atoms().empty() && !problem.impulse_factor);
   const auto [low, high] = effective_amplitude_range(problem.impulses.amplitude_law());
   min_amplitude_ = low;
   max_amplitude_ = high;
@@ -134,9 +134,9 @@ namespace {
 // the velocity map.velocity(x) after an impulse, is not smooth. The velocity before the impulse is
 // v.
 std::vector<double> ends_of_smooth_parts(const VelocityMap& map, double low, double high, double v,
-                                         const std::vector<double>& density_breakpoints) {
+                                         const std::vector<double>& amplitude_density_breakpoints) {
   std::vector<double> ends{low, high};
-  for (const double amplitude : density_breakpoints) {
+  for (const double amplitude : amplitude_density_breakpoints) {
     const double after = v + amplitude;
     if (after <= map.velocity(low) || after >= map.velocity(high)) continue;
     ends.push_back(
@@ -188,7 +188,7 @@ std::vector<VelocityPanel> RenewalEquation::divide_velocities(double y, double l
 RenewalEquation::VelocityQuadrature RenewalEquation::make_velocity_quadrature(double y) const {
   constexpr unsigned kPoints = VelocityPanel::kPoints, kPointsPerSmoothPart = 12;
   const problem::ImpulseLaw& law = problem_.impulses.amplitude_law();
-  const std::vector<double> breakpoints = law.density_breakpoints();
+  const std::vector<double> breakpoints = law.amplitude_density_breakpoints();
   const auto [low, high] = velocity_range();
   VelocityQuadrature rule;
   std::vector<Eigen::MatrixXd> panel_weights;

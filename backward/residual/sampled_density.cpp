@@ -86,13 +86,13 @@ SampledDensity sample_density_form(const transform::GridDensity& density,
     }
     if (y_range.extends_past(wall)) throw InputError("the cells of y extend past the wall");
   }
-  if (density.averages.size() != density.ny() * density.nv()) {
+  if (density.averages.size() != density.y_cell_count() * density.v_cell_count()) {
     throw InputError("the number of averages differs from the number of cells");
   }
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const Eigen::Map<const RowMajor> averages(density.averages.data(),
-                                            static_cast<Eigen::Index>(density.ny()),
-                                            static_cast<Eigen::Index>(density.nv()));
+                                            static_cast<Eigen::Index>(density.y_cell_count()),
+                                            static_cast<Eigen::Index>(density.v_cell_count()));
   const auto &y = density.y_edges, &v = density.v_edges;
   SampledDensity result{.y_quadrature = quadrature_of_cell_averages(
                             composite_rule(y.front(), y.back(), breaks.y_breaks, y), y),

@@ -32,9 +32,10 @@ std::vector<double> gauss_nodes(const std::vector<double>& breaks) {
 std::vector<double> breaks_after_impulse(const numerics::QuinticBSplines& v,
                                          const problem::ImpulseTrain& impulses) {
   std::vector<double> amplitudes;
-  if (impulses.is_present()) {
-    amplitudes = impulses.amplitude_law().density_breakpoints();
-    for (const auto& atom : impulses.amplitude_law().atoms()) amplitudes.push_back(atom.amplitude);
+  if (impulses.is_acting()) {
+    amplitudes = impulses.amplitude_law().amplitude_density_breakpoints();
+    for (const auto& atom : impulses.amplitude_law().amplitude_atoms())
+      amplitudes.push_back(atom.amplitude);
   }
   std::vector<double> breaks(v.breaks());
   const auto& knots = v.knots();
@@ -103,7 +104,7 @@ WeakResidualIntegrator::WeakResidualIntegrator(const problem::Problem& problem,
 /// constant.
 Eigen::MatrixXd WeakResidualIntegrator::interpolate_means_after_impulse(
     std::span<const double> v) const {
-  if (!problem_.impulses.is_present()) return {};
+  if (!problem_.impulses.is_acting()) return {};
   Eigen::MatrixXd result(std::ssize(v), v_splines_.size());
   const auto& breaks = v_breaks_;
   for (std::size_t n = 0; n < v.size(); ++n) {

@@ -26,10 +26,10 @@ AppendOnlyLog::AppendOnlyLog(const std::filesystem::path& file)
       descriptor_(open(file.c_str(),
                        O_RDWR | O_APPEND | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
                        kFileMode)) {
-  if (descriptor_.number() < 0 && errno != ELOOP && errno != EISDIR && errno != ENXIO)
+  if (descriptor_.descriptor_number() < 0 && errno != ELOOP && errno != EISDIR && errno != ENXIO)
     throw_error("opened");
   const bool regular = descriptor_.is_regular_file();
-  if (regular && flock(descriptor_.number(), LOCK_EX | LOCK_NB) == 0) return;
+  if (regular && flock(descriptor_.descriptor_number(), LOCK_EX | LOCK_NB) == 0) return;
   throw InputError(
       regular ? fmt::format("{} is locked: another process writes it; wait, or use another "
                             "directory",
@@ -43,8 +43,8 @@ std::vector<std::string> AppendOnlyLog::read_lines() {
   std::string text;
   std::string buffer(kChunkBytes, '\0');
   for (;;) {
-    const ssize_t count =
-        pread(descriptor_.number(), buffer.data(), buffer.size(), static_cast<off_t>(text.size()));
+    const ssize_t count = pread(descriptor_.descriptor_number(), buffer.data(), buffer.size(),
+                                static_cast<off_t>(text.size()));
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) throw_error("read");
     if (count == 0) break;
@@ -58,7 +58,7 @@ std::vector<std::string> AppendOnlyLog::read_lines() {
   }
   removed_partial_line_ = begin < text.size();
   length_ = static_cast<long long>(begin);
-  if (removed_partial_line_ && ftruncate(descriptor_.number(), length_) != 0)
+  if (removed_partial_line_ && ftruncate(descriptor_.descriptor_number(), length_) != 0)
     throw_error("written");
   return lines;
 }
@@ -67,11 +67,11 @@ void AppendOnlyLog::append(std::string_view line) {
   const std::string text = std::string(line) + '\n';
   std::string_view rest = text;
   while (!rest.empty()) {
-    const ssize_t count = write(descriptor_.number(), rest.data(), rest.size());
+    const ssize_t count = write(descriptor_.descriptor_number(), rest.data(), rest.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) {
       const int why = errno;
-      if (ftruncate(descriptor_.number(), length_) != 0) errno = why;
+      if (ftruncate(descriptor_.descriptor_number(), length_) != 0) errno = why;
       errno = why;
       throw_error("written");
     }
@@ -82,7 +82,7 @@ void AppendOnlyLog::append(std::string_view line) {
 
 void AppendOnlyLog::flush_to_disk() const {
   // The error EINVAL is ignored, since some file systems do not support fdatasync.
-  if (fdatasync(descriptor_.number()) != 0 && errno != EINVAL && errno != ENOTSUP)
+  if (fdatasync(descriptor_.descriptor_number()) != 0 && errno != EINVAL && errno != ENOTSUP)
     throw_error("written");
 }
 

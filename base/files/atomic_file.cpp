@@ -28,7 +28,7 @@ int checked_descriptor(int number) {
 
 void write_all(const FileDescriptor& file, std::string_view bytes) {
   while (!bytes.empty()) {
-    const ssize_t count = write(file.number(), bytes.data(), bytes.size());
+    const ssize_t count = write(file.descriptor_number(), bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) throw_system_error();
     bytes.remove_prefix(static_cast<std::size_t>(count));
@@ -37,7 +37,8 @@ void write_all(const FileDescriptor& file, std::string_view bytes) {
 
 // Flushes a file or directory to disk. Some file systems do not support fsync of directories.
 void flush_to_disk(const FileDescriptor& file) {
-  if (fsync(file.number()) != 0 && errno != EINVAL && errno != ENOTSUP) throw_system_error();
+  if (fsync(file.descriptor_number()) != 0 && errno != EINVAL && errno != ENOTSUP)
+    throw_system_error();
 }
 
 std::string host_name() {
@@ -113,7 +114,7 @@ void write_new_file(const fs::path& file, std::string_view bytes) {
     write_all(out, bytes);
     flush_to_disk(out);
     // The result of close() is checked, since some systems report a full disk only in close().
-    if (close(out.release()) != 0 && errno != EINTR) throw_system_error();
+    if (close(out.release_descriptor()) != 0 && errno != EINTR) throw_system_error();
   } catch (const std::system_error&) {
     std::error_code ignored;
     fs::remove(file, ignored);

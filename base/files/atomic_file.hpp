@@ -18,10 +18,10 @@ class FileDescriptor {
   FileDescriptor& operator=(const FileDescriptor&) = delete;
   ~FileDescriptor();
 
-  int number() const { return number_; }
+  int descriptor_number() const { return number_; }
   bool is_regular_file() const;
   /// Returns the file descriptor, which the caller must close.
-  int release() { return std::exchange(number_, -1); }
+  int release_descriptor() { return std::exchange(number_, -1); }
 
  private:
   int number_;
@@ -37,8 +37,8 @@ struct WriterProcess {
   long pid;
 
   static WriterProcess current_process();
-  /// Returns false only if the process ran on this host and has ended. The state of a process on
-  /// another host is unknown.
+  /// Returns false only if the process ran on this host and has ended. For a process on another
+  /// host, whose state is unknown, the result is true.
   bool may_be_running() const;
 };
 

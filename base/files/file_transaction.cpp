@@ -36,7 +36,7 @@ bool is_plain_file_name(const std::string& name) {
          name.find_first_of(std::string("/\n\0", 3)) == std::string::npos;
 }
 
-std::string journal_as_text(const CommitJournal& journal) {
+std::string journal_as_text(const FileChangeJournal& journal) {
   std::string text =
       fmt::format("{}\n{}\n{}\n", kFirstLine, journal.writer.host, journal.writer.pid);
   for (const auto& [from, to] : journal.renames) {
@@ -47,8 +47,8 @@ std::string journal_as_text(const CommitJournal& journal) {
 }
 
 // Parses the text of a journal; returns nullopt for an incomplete journal.
-std::optional<CommitJournal> parse_journal(std::istream& in) {
-  CommitJournal journal;
+std::optional<FileChangeJournal> parse_journal(std::istream& in) {
+  FileChangeJournal journal;
   journal.writer.pid = 0;
   std::string line;
   const auto next = [&] { return static_cast<bool>(std::getline(in, line)); };
@@ -59,7 +59,7 @@ std::optional<CommitJournal> parse_journal(std::istream& in) {
   while (next()) {
     if (line == "end") return journal.writer.pid > 0 ? std::optional(journal) : std::nullopt;
     if (line == kRename) {
-      CommitJournal::FileRename rename;
+      FileChangeJournal::FileRename rename;
       if (!std::getline(in, rename.from) || !std::getline(in, rename.to)) return std::nullopt;
       if (!is_plain_file_name(rename.from) || !is_plain_file_name(rename.to)) return std::nullopt;
       journal.renames.push_back(std::move(rename));
@@ -72,7 +72,7 @@ std::optional<CommitJournal> parse_journal(std::istream& in) {
   return std::nullopt;
 }
 
-std::optional<CommitJournal> read_journal(const fs::path& file) {
+std::optional<FileChangeJournal> read_sweep_journal(const fs::path& file) {
   std::error_code ignored;
   if (!fs::is_regular_file(fs::symlink_status(file, ignored))) return std::nullopt;
   // A journal of another user is rejected, since in a shared directory such a journal could make
@@ -158,7 +158,7 @@ void FileTransaction::replace_targets(const fs::path& directory) {
       flush_to_disk(directory);
     } else {
       recover_interrupted_commit(directory);
-      CommitJournal journal;
+      FileChangeJournal journal;
       for (const auto& [temporary, target] : pending_) {
         journal.renames.push_back({temporary.filename().string(), target.filename().string()});
       }
@@ -189,7 +189,7 @@ void write_file_atomically(const fs::path& target, std::string_view bytes) {
   file.commit();
 }
 
-void CommitJournal::write_to_directory(const fs::path& directory) const {
+void FileChangeJournal::write_to_directory(const fs::path& directory) const {
   // The journal is written under a temporary name and then linked to its final name, so that other
   // processes never read an incomplete journal.
   const fs::path file = directory / kFileName, partial = partial_file_path(file);
@@ -211,7 +211,7 @@ void CommitJournal::write_to_directory(const fs::path& directory) const {
 }
 
 // If the source file of a rename is missing, an earlier process has already renamed the file.
-void CommitJournal::apply(const fs::path& directory) const {
+void FileChangeJournal::apply(const fs::path& directory) const {
   for (const auto& [from, to] : renames) {
     std::error_code error;
     fs::rename(directory / from, directory / to, error);
@@ -226,13 +226,13 @@ void CommitJournal::apply(const fs::path& directory) const {
 }
 
 void recover_interrupted_commit(const fs::path& directory) {
-  const fs::path file = directory / CommitJournal::kFileName;
-  // A running process removes its journal within milliseconds; the loop waits up to 2 s for the
-  // removal.
+  const fs::path file = directory / FileChangeJournal::kFileName;
+  // A running process removes its journal within milliseconds; the loop therefore waits up to 2 s
+  // until the journal is removed.
   constexpr int kMaxAttempts = 20;
   constexpr std::chrono::milliseconds kRetryInterval(100);
   for (int attempt = 0; path_exists(file); ++attempt) {
-    const auto journal = read_journal(file);
+    const auto journal = read_sweep_journal(file);
     if (!journal) {
       if (!path_exists(file)) return;
       throw InputError(fmt::format(

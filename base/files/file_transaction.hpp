@@ -13,7 +13,7 @@ namespace fpkcheck::base {
 /// Replaces several files of one directory in one transaction. The function add() writes a partial
 /// file beside each target, and commit() replaces all targets. Without a call of commit(), the
 /// destructor removes the partial files and leaves the targets unchanged. If the process is killed,
-/// the directory contains either all old or all new files (see CommitJournal).
+/// the directory contains either all old or all new files (see FileChangeJournal).
 class FileTransaction {
  public:
   using FileWriter = std::function<void(const std::filesystem::path& temporary)>;
@@ -67,7 +67,7 @@ void write_file_atomically(const std::filesystem::path& target, std::string_view
 /// Write-ahead journal of a change of several files in one directory. The journal is written before
 /// the first file is replaced and removed after the last replacement. If a process is killed during
 /// the change, the next process completes the change from the journal.
-struct CommitJournal {
+struct FileChangeJournal {
   struct FileRename {
     std::string from, to;
   };

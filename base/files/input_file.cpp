@@ -37,7 +37,7 @@ std::optional<std::string> read_input_file(const std::filesystem::path& file,
     // report no size.
     const std::size_t before = bytes.size();
     bytes.resize(before + kChunkBytes);
-    const ssize_t count = read(descriptor.number(), bytes.data() + before, kChunkBytes);
+    const ssize_t count = read(descriptor.descriptor_number(), bytes.data() + before, kChunkBytes);
     bytes.resize(before + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
     if (bytes.size() > max_bytes) {
       throw InputError(

@@ -33,7 +33,7 @@ std::vector<std::string> Communicator::gather(const std::string& own,
     return {};
   }
   std::vector<std::string> others;
-  for (int rank = 1; rank < size(); ++rank) {
+  for (int rank = 1; rank < process_count(); ++rank) {
     auto& texts = gathered_[rank];
     while (texts.empty()) {
       poll();

@@ -27,9 +27,9 @@ class Communicator {
 
   virtual ~Communicator() = default;
 
-  virtual int rank() const = 0;
-  virtual int size() const = 0;
-  bool is_first_rank() const { return rank() == 0; }
+  virtual int process_rank() const = 0;
+  virtual int process_count() const = 0;
+  bool is_first_rank() const { return process_rank() == 0; }
 
   virtual void send(int to, const std::string& text) = 0;
   /// Returns the next message that has arrived, or nullopt without waiting if no message has

@@ -34,8 +34,8 @@ class MpiCommunicator : public Communicator {
   MpiCommunicator& operator=(const MpiCommunicator&) = delete;
   ~MpiCommunicator() override { MPI_Finalize(); }
 
-  int rank() const override { return rank_; }
-  int size() const override { return size_; }
+  int process_rank() const override { return rank_; }
+  int process_count() const override { return size_; }
 
   void send(int to, const std::string& text) override {
     check_mpi(MPI_Send(text.data(), static_cast<int>(text.size()), MPI_CHAR, to, 0, MPI_COMM_WORLD),

@@ -73,7 +73,7 @@ struct MemberConversion<Enum> {
   static void set_from_value(Enum& member, const Value& value) {
     member = *enum_from_name<Enum>(std::get<std::string>(value));
   }
-  static std::vector<std::string> choices() {
+  static std::vector<std::string> enumerator_choices() {
     std::vector<std::string> list;
     for (const auto& entry : enumerator_names(Enum{})) list.emplace_back(entry.name);
     return list;
@@ -81,7 +81,7 @@ struct MemberConversion<Enum> {
 };
 template <class Member>
 concept HasEnumChoices = requires {
-  MemberConversion<Member>::choices();
+  MemberConversion<Member>::enumerator_choices();
 };
 
 template <class Member>
@@ -97,8 +97,8 @@ struct MemberConversion<std::optional<Member>> {
       MemberConversion<Member>::set_from_value(member.emplace(), value);
     }
   }
-  static std::vector<std::string> choices() requires HasEnumChoices<Member> {
-    return MemberConversion<Member>::choices();
+  static std::vector<std::string> enumerator_choices() requires HasEnumChoices<Member> {
+    return MemberConversion<Member>::enumerator_choices();
   }
 };
 
@@ -171,7 +171,8 @@ class Description : public DescriptionBase {
     parameter.set = [member](void* owner, const Value& value) {
       Held::set_from_value(static_cast<Owner*>(owner)->*member, value);
     };
-    if constexpr (HasEnumChoices<Member>) parameter.choices = MemberConversion<Member>::choices();
+    if constexpr (HasEnumChoices<Member>)
+      parameter.choices = MemberConversion<Member>::enumerator_choices();
     all_.push_back(std::move(parameter));
     return std::move(*this);
   }

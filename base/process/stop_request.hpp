@@ -14,18 +14,19 @@ inline bool stop_requested() { return requested_stop_signal() != 0; }
 void request_stop(int signal);
 
 /// Guard object that delays the exit of the process while the thread of the guard writes files.
-/// While an ExitBlocker exists, no other thread ends the process. Guards of one thread may be
-/// nested, and several threads may hold guards at the same time.
-class ExitBlocker {
+/// While an ProcessExitBlocker exists, no other thread ends the process. Guards of one thread may
+/// be nested, and several threads may hold guards at the same time.
+class ProcessExitBlocker {
  public:
-  ExitBlocker();
-  ~ExitBlocker();
-  ExitBlocker(const ExitBlocker&) = delete;
-  ExitBlocker& operator=(const ExitBlocker&) = delete;
+  ProcessExitBlocker();
+  ~ProcessExitBlocker();
+  ProcessExitBlocker(const ProcessExitBlocker&) = delete;
+  ProcessExitBlocker& operator=(const ProcessExitBlocker&) = delete;
 };
 
-/// Waits until no ExitBlocker exists. Afterwards, the constructor of ExitBlocker blocks every
-/// thread except the calling thread. The thread that ends the process calls this function first.
+/// Waits until no ProcessExitBlocker exists. Afterwards, the constructor of ProcessExitBlocker
+/// blocks every thread except the calling thread. The thread that ends the process calls this
+/// function first.
 void wait_and_block_other_writers();
 
 }  // namespace fpkcheck::base

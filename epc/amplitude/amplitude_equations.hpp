@@ -16,35 +16,36 @@
 #include "transform/density.hpp"
 
 /// Quadrature points, equations, density and contours of the formulations with the amplitude as
-/// coordinate s. The template parameter `Coordinates` is polar::Coordinates or
-/// contact::Coordinates, with these functions:
+/// coordinate s. The template parameter `Coordinates` is polar::AmplitudePhaseCoordinates or
+/// contact::AmplitudeVelocityCoordinates, with these functions:
 ///  - sqrt_twice_potential(y), the speed w(y); displacement(w), its inverse function;
 ///    displacement_slope(y), the derivative dy/dw;
 ///  - second_coordinate(rho, theta), the coordinate t; phase(rho, t), its inverse function;
 ///  - coordinates_after_impulse(w, v), the coordinates s and t of the velocity v after an impulse;
-///  - coordinate_rates(system, y, rho, t), the rates of change of s and t between impulses;
+///  - coordinate_time_derivatives(system, y, rho, t), the rates of change of s and t;
 ///  - velocity_derivatives(rho, t), the derivatives of s and t with respect to v;
 ///  - density_prefactor(rho), the factor of the exponential in the density;
-///  - atom_weight(), the probability of the atom at rest divided by C exp(Q_n), 0 without an atom;
+///  - relative_atom_probability(), the probability of the atom at rest divided by C exp(Q_n);
 ///  - amplitude_break_points(law, rho_max), amplitudes at which quadrature panels end;
 ///  - leading_form_phases(), the phases at which the sign of the leading form may differ.
 namespace fpkcheck::epc::amplitude {
 
-/// Derivatives of the coordinates s and t with respect to time or to v.
-struct CoordinateRates {
+/// Derivatives of the two coordinates s and t of a closure with respect to time, or with respect to
+/// the velocity v.
+struct CoordinateTimeDerivatives {
   double s, t;
 };
 
 /// Returns the polynomial q as a function of amplitude and phase, with a reference to q.
 template <class Coordinates>
-PolarExponent polar_exponent(const Polynomial& q) {
+ExponentInPolarCoordinates polar_exponent(const ExponentPolynomial& q) {
   return
       [&q](double rho, double theta) { return q(rho, Coordinates::second_coordinate(rho, theta)); };
 }
 
 /// Returns Gauss-Legendre points in the amplitude rho and the phase theta, v = rho sin(theta). The
-/// weights include the prefactor of the density. If the law has an atom, the last point is the
-/// atom.
+/// quadrature weights include the prefactor of the density. If the stationary law has an atom of
+/// mass at rest, the last quadrature point is the atom.
 /// @param breaks increasing amplitudes between 0 and rho_max at which a panel in rho ends
 /// @param size numbers of points: s in rho, with additional points near the breaks, and t in theta
 template <class Coordinates>
@@ -54,7 +55,7 @@ half_plane::QuadraturePoints quadrature_points(const Coordinates& coordinates, d
   const auto rho = piecewise_gauss_legendre_rule(rho_max, breaks, size.s);
   const auto theta =
       numerics::gauss_legendre_rule(size.t, -std::numbers::pi / 2, std::numbers::pi / 2);
-  const bool has_atom = coordinates.atom_weight() > 0;
+  const bool has_atom = coordinates.relative_atom_probability() > 0;
   auto points = half_plane::QuadraturePoints::zeros(rho.size() * theta.size() + has_atom);
   Eigen::Index k = 0;
   for (std::size_t i = 0; i < rho.points.size(); ++i) {
@@ -65,22 +66,22 @@ half_plane::QuadraturePoints quadrature_points(const Coordinates& coordinates, d
       points.y[k] = coordinates.displacement(at * std::cos(theta.points[j]));
       points.v[k] = at * std::sin(theta.points[j]);
       points.energy[k] = energy_of_amplitude(at);
-      // dy dv = (dy/dw) dw dv = (dy/dw) rho drho dtheta
+      // The area element is dy dv = (dy/dw) dw dv = (dy/dw) rho drho dtheta.
       points.weight[k] = rho.weights[i] * theta.weights[j] * at *
                          coordinates.displacement_slope(points.y[k]) *
                          Coordinates::density_prefactor(at);
     }
   }
-  if (has_atom) points.weight[k] = coordinates.atom_weight();
+  if (has_atom) points.weight[k] = coordinates.relative_atom_probability();
   return points;
 }
 
-/// Returns points on the half-circle of an amplitude. The areas of the points include the prefactor
-/// of the density.
+/// Returns the contour of constant amplitude rho, as points of different phases. The areas of the
+/// contour points include the prefactor of the density.
 template <class Coordinates>
-half_plane::Contour constant_amplitude_contour(const Coordinates& coordinates, double rho) {
+half_plane::DensityContour constant_amplitude_contour(const Coordinates& coordinates, double rho) {
   // The area A inside the contour of the energy h has dA/dh = integral of (dy/dw) dtheta.
-  half_plane::Contour contour;
+  half_plane::DensityContour contour;
   for (int k = 0; k < kPhaseCount; ++k) {
     const double theta = equidistant_phases()[k];
     const double y = coordinates.displacement(rho * std::cos(theta));
@@ -97,9 +98,9 @@ half_plane::Contour constant_amplitude_contour(const Coordinates& coordinates, d
 /// Returns the density with the exponent q + confinement as a function of y and v.
 /// @param support energy beyond which the density is 0
 template <class Coordinates>
-transform::SmoothDensity density_from_exponent(const Polynomial& q, const Coordinates& coordinates,
-                                               double support,
-                                               const half_plane::Confinement& confinement,
+transform::SmoothDensity density_from_exponent(const ExponentPolynomial& q,
+                                               const Coordinates& coordinates, double support,
+                                               const half_plane::ExponentConfinement& confinement,
                                                double log_constant) {
   const double largest = amplitude_of_energy(support);
   return {.value =
@@ -118,8 +119,9 @@ transform::SmoothDensity density_from_exponent(const Polynomial& q, const Coordi
 /// Coordinates::leading_form_phases(). The radii in the result are amplitudes rho in units of
 /// sigma_2, the standard deviation of the velocity.
 template <class Coordinates>
-LeadingForm leading_form_in_amplitude(const Polynomial& q, const StandardDeviations& sigma) {
-  std::vector<Direction> directions;
+LeadingFormOfExponent leading_form_of_amplitude_exponent(const ExponentPolynomial& q,
+                                                         const StandardDeviations& sigma) {
+  std::vector<PlaneDirection> directions;
   for (const double theta : Coordinates::leading_form_phases())
     directions.push_back({1, Coordinates::second_coordinate(1, theta)});
   return leading_form_along_directions(q, directions, sigma.x2);
@@ -130,36 +132,36 @@ LeadingForm leading_form_in_amplitude(const Polynomial& q, const StandardDeviati
 ///
 ///     L*phi = rho' phi_rho + t' phi_t + lambda ( E[phi(y, v + Y)] - phi ).
 ///
-/// If the mass rests at the wall, each impulse towards the wall causes an immediate impact. In
-/// polar::Coordinates phi has a jump at the origin, but all terms of the equations are bounded
-/// there. Under white noise the Galerkin equations do not exist, since d^2 theta/dv^2 is not
-/// integrable. If rho^2/2 is the energy, the root satisfies the balance of power exactly, since the
-/// basis contains rho^2/2.
+/// If the mass rests in contact with the wall, each impulse towards the wall causes an immediate
+/// impact. In polar::AmplitudePhaseCoordinates phi has a jump at the origin, but all terms of the
+/// equations are bounded there. Under white noise the Galerkin equations do not exist, since d^2
+/// theta/dv^2 is not integrable. If rho^2/2 is the energy, the root satisfies the balance of power
+/// exactly, since the basis contains rho^2/2.
 /// @param points quadrature points up to the amplitude rho_max
 /// @param wall_points number of quadrature points on the wall
 template <class Coordinates>
 half_plane::ClosureEquations closure_equations(const problem::Problem& problem,
                                                const Coordinates& coordinates, double rho_max,
-                                               const half_plane::Confinement& confinement,
-                                               half_plane::Basis basis,
+                                               const half_plane::ExponentConfinement& confinement,
+                                               half_plane::OrthonormalBasis basis,
                                                half_plane::QuadraturePoints points,
                                                int wall_points) {
   using Eigen::MatrixXd;
   using Eigen::VectorXd;
   VectorXd w(points.size()), s_rate = VectorXd::Zero(points.size()), t_rate = s_rate;
-  const bool has_atom = coordinates.atom_weight() > 0;
+  const bool has_atom = coordinates.relative_atom_probability() > 0;
   for (Eigen::Index i = 0; i < points.size(); ++i) {
     w[i] = coordinates.sqrt_twice_potential(points.y[i]);
     if (has_atom && i + 1 == points.size()) break;  // the mass at rest does not move
-    const CoordinateRates rate =
-        coordinates.coordinate_rates(problem.system, points.y[i], points.s[i], points.t[i]);
+    const CoordinateTimeDerivatives rate = coordinates.coordinate_time_derivatives(
+        problem.system, points.y[i], points.s[i], points.t[i]);
     s_rate[i] = rate.s;
     t_rate[i] = rate.t;
   }
   const auto s_tables = basis.polynomials_in_s().derivative_tables(points.s, 1);
   const auto t_tables = basis.polynomials_in_t().derivative_tables(points.t, 1);
   const auto& basis_functions = basis.basis_functions();
-  const MatrixXd values = products_of_columns(basis_functions, s_tables[0], t_tables[0]);
+  const MatrixXd values = products_of_basis_columns(basis_functions, s_tables[0], t_tables[0]);
   const MatrixXd after_impulse = means_after_impulse(
       problem.impulses.amplitude_law(), basis, w, points.v,
       [&](double at_w, double v) { return coordinates.coordinates_after_impulse(at_w, v); });
@@ -173,11 +175,12 @@ half_plane::ClosureEquations closure_equations(const problem::Problem& problem,
   };
   const MatrixXd wall_basis_functions = on_wall(speed, -std::numbers::pi / 2);
   const auto directional_derivative = [&](const VectorXd& of_s, const VectorXd& of_t) -> MatrixXd {
-    return products_of_columns(basis_functions, of_s.asDiagonal() * s_tables[1], t_tables[0]) +
-           products_of_columns(basis_functions, s_tables[0], of_t.asDiagonal() * t_tables[1]);
+    return products_of_basis_columns(basis_functions, of_s.asDiagonal() * s_tables[1],
+                                     t_tables[0]) +
+           products_of_basis_columns(basis_functions, s_tables[0], of_t.asDiagonal() * t_tables[1]);
   };
   const MatrixXd impulse_terms = problem.impulses.arrival_rate() * (after_impulse - values);
-  const problem::TimeDependence& time = problem.time;
+  const problem::ExcitationTimeDependence& time = problem.time;
   std::vector<half_plane::TimeDependentTerm> time_dependent_terms;
   if (time.has_rate_factor()) {
     time_dependent_terms.push_back(
@@ -186,11 +189,12 @@ half_plane::ClosureEquations closure_equations(const problem::Problem& problem,
   if (time.has_external_force()) {
     VectorXd s_derivative = VectorXd::Zero(points.size()), t_derivative = s_derivative;
     for (Eigen::Index i = 0; i < points.size() - has_atom; ++i) {
-      const CoordinateRates derivative = coordinates.velocity_derivatives(points.s[i], points.t[i]);
+      const CoordinateTimeDerivatives derivative =
+          coordinates.velocity_derivatives(points.s[i], points.t[i]);
       s_derivative[i] = derivative.s;
       t_derivative[i] = derivative.t;
     }
-    time_dependent_terms.push_back({[time](double at) { return time.force(at); },
+    time_dependent_terms.push_back({[time](double at) { return time.external_force(at); },
                                     directional_derivative(s_derivative, t_derivative)});
   }
   half_plane::GalerkinTables tables{

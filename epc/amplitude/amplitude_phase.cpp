@@ -21,16 +21,17 @@ double trapezoidal_phase_weight(int phase_index) {
   return (phase_index == 0 || phase_index == kPhaseCount - 1 ? 0.5 : 1) * kStep;
 }
 
-double maximum_over_phase(const PolarExponent& exponent, double rho) {
+double maximum_over_phase(const ExponentInPolarCoordinates& exponent, double rho) {
   double largest = -std::numeric_limits<double>::infinity();
   for (const double theta : equidistant_phases()) largest = std::max(largest, exponent(rho, theta));
   return largest;
 }
 
-ExponentDecayScan scan_exponent_decay(const PolarExponent& exponent, double depth,
-                                      double last_amplitude) {
+ExponentDecayRange find_exponent_decay_range(const ExponentInPolarCoordinates& exponent,
+                                             double depth, double last_amplitude) {
   constexpr int kSteps = 400;
-  // Minima less than kInside below the peak of the exponent are features of the density.
+  // A minimum of the exponent that is less than kInside below the peak is a feature of the density,
+  // not the end of its decay.
   constexpr double kInside = 5;
   double peak = maximum_over_phase(exponent, 0), before = peak;
   for (int i = 1; i <= kSteps; ++i) {

@@ -10,7 +10,7 @@
 
 /// Common part of the closures in amplitude and phase (epc/polar) and in amplitude and velocity
 /// (epc/contact). The exponent is a polynomial of the amplitude rho = sqrt(v^2 + 2 V(y)) and of a
-/// second coordinate. The problem has one wall, on the left.
+/// second coordinate. The oscillator has one wall, on the left.
 namespace fpkcheck::epc::amplitude {
 
 inline double energy_of_amplitude(double rho) { return rho * rho / 2; }
@@ -18,7 +18,7 @@ inline double amplitude_of_energy(double energy) { return std::sqrt(2 * energy);
 
 /// Exponent as a function of the amplitude rho and the phase theta, -pi/2 <= theta <= pi/2, where v
 /// = rho sin(theta).
-using PolarExponent = std::function<double(double rho, double theta)>;
+using ExponentInPolarCoordinates = std::function<double(double rho, double theta)>;
 
 inline constexpr int kPhaseCount = 33;
 /// Returns equidistant phases from -pi/2 to pi/2, including the ends.
@@ -26,24 +26,23 @@ const std::array<double, kPhaseCount>& equidistant_phases();
 /// Returns the weight of a phase in the trapezoidal rule for integrals over the phase.
 double trapezoidal_phase_weight(int phase_index);
 
-double maximum_over_phase(const PolarExponent& exponent, double rho);
+double maximum_over_phase(const ExponentInPolarCoordinates& exponent, double rho);
 
-struct ExponentDecayScan {
-  /// First amplitude at which the maximum of the exponent over all phases lies `depth` below the
-  /// peak
+struct ExponentDecayRange {
+  /// First amplitude at which the exponent, maximised over the phase, lies `depth` below its peak
   std::optional<double> crossing;
-  /// Amplitude at which the maximum of the exponent over the phases begins to rise, or
+  /// Amplitude at which the exponent, maximised over the phase, begins to rise again, or
   /// `last_amplitude`
   double extent;
 };
 
 /// Scans growing amplitudes until the maximum of the exponent over all phases lies `depth` below
 /// the peak or rises again.
-ExponentDecayScan scan_exponent_decay(const PolarExponent& exponent, double depth,
-                                      double last_amplitude);
+ExponentDecayRange find_exponent_decay_range(const ExponentInPolarCoordinates& exponent,
+                                             double depth, double last_amplitude);
 
 /// Returns a Gauss-Legendre rule on [0, end] with one panel between successive breaks. The number
-/// of points of a panel is a constant plus a multiple of the panel width.
+/// of quadrature points of a panel is a constant plus a multiple of the panel width.
 numerics::QuadratureRule piecewise_gauss_legendre_rule(double end,
                                                        const std::vector<double>& breaks,
                                                        int point_count);

@@ -14,11 +14,11 @@ namespace fpkcheck::epc::amplitude {
 
 using Eigen::VectorXd;
 using half_plane::ClosureDensity;
-using half_plane::Confinement;
+using half_plane::ExponentConfinement;
 using half_plane::QuadraturePointCounts;
 using half_plane::QuadraturePoints;
 using half_plane::QuadratureRefinementCriterion;
-using half_plane::SearchStage;
+using half_plane::RootSearchStage;
 
 namespace {
 
@@ -30,8 +30,8 @@ constexpr std::array kDepths{24.0, 18.0, 32.0};
 constexpr std::array kBeyondDecayExtent{1.2, 1.0};
 constexpr std::array kLevelDeviations{8.0, 6.5, 11.0};
 constexpr double kFarthestDeviations = 30;
-// Largest accepted density at the confinement level, relative to the peak density. At larger
-// densities the confinement would determine the density.
+// Largest accepted density at the confinement level, relative to the peak density. If the density
+// at the confinement level were larger, the confinement would determine the density.
 constexpr double kLevelDensityLimit = 1e-4;
 
 double largest_scan_amplitude(double temperature) {
@@ -40,30 +40,30 @@ double largest_scan_amplitude(double temperature) {
 
 }  // namespace
 
-double exponent_with_gaussian_tail(const PolarExponent& q, const ClosureDensity& closure,
-                                   double rho, double theta) {
-  const double inside = std::min(rho, closure.end_of_decay);
+double exponent_with_gaussian_tail(const ExponentInPolarCoordinates& q,
+                                   const ClosureDensity& closure, double rho, double theta) {
+  const double inside = std::min(rho, closure.end_of_exponent_decay);
   return q(inside, theta) - (rho * rho - inside * inside) / (2 * closure.temperature);
 }
 
 ClosureDensity ClosureFormulation::initial_density() const {
-  ClosureDensity closure{.q = Polynomial({{2, 0, -1 / (2 * temperature_)}}),
+  ClosureDensity closure{.q = ExponentPolynomial({{2, 0, -1 / (2 * temperature_)}}),
                          .temperature = temperature_};
-  closure.end_of_decay = end_of_decay(closure.q, temperature_);
+  closure.end_of_exponent_decay = end_of_exponent_decay(closure.q, temperature_);
   return closure;
 }
 
 std::vector<double> ClosureFormulation::confinement_levels(const ClosureDensity& guess,
-                                                           SearchStage) const {
+                                                           RootSearchStage) const {
   const double end = largest_scan_amplitude(guess.temperature);
   std::vector<double> confinement_levels;
   const auto add = [&](double rho) { confinement_levels.push_back(energy_of_amplitude(rho)); };
   for (const double depth : kDepths) {
-    const ExponentDecayScan fall = scan_exponent_decay(polar_exponent(guess.q), depth, end);
+    const ExponentDecayRange fall = find_exponent_decay_range(polar_exponent(guess.q), depth, end);
     if (fall.crossing) add(*fall.crossing);
   }
-  if (guess.end_of_decay < end) {
-    for (const double factor : kBeyondDecayExtent) add(factor * guess.end_of_decay);
+  if (guess.end_of_exponent_decay < end) {
+    for (const double factor : kBeyondDecayExtent) add(factor * guess.end_of_exponent_decay);
   }
   for (const double deviations : kLevelDeviations) add(deviations * std::sqrt(guess.temperature));
   return confinement_levels;
@@ -71,8 +71,8 @@ std::vector<double> ClosureFormulation::confinement_levels(const ClosureDensity&
 
 QuadraturePointCounts ClosureFormulation::quadrature_point_counts(int order,
                                                                   double level_over_temperature,
-                                                                  SearchStage stage) const {
-  const int least = stage == SearchStage::rough ? 16 : 20;
+                                                                  RootSearchStage stage) const {
+  const int least = stage == RootSearchStage::rough ? 16 : 20;
   const double width = std::max(1.0, std::sqrt(2 * level_over_temperature) / kLevelDeviations[0]);
   const int rho = static_cast<int>((least + 2 * order) * width);
   return {rho, least + 2 * order, rho};
@@ -82,33 +82,37 @@ QuadratureRefinementCriterion ClosureFormulation::quadrature_refinement_criterio
   return {QuadratureRefinementCriterion::ChangeMeasure::solved, 1e-5};
 }
 
-double ClosureFormulation::exponent_of_guess(const ClosureDensity& guess, double s,
-                                             double t) const {
+double ClosureFormulation::exponent_of_initial_guess(const ClosureDensity& guess, double s,
+                                                     double t) const {
   return exponent_with_gaussian_tail(polar_exponent(guess.q), guess, s, phase(s, t));
 }
 
-double ClosureFormulation::end_of_decay(const Polynomial& q, double temperature) const {
-  return scan_exponent_decay(polar_exponent(q), kDepths.back(), largest_scan_amplitude(temperature))
+double ClosureFormulation::end_of_exponent_decay(const ExponentPolynomial& q,
+                                                 double temperature) const {
+  return find_exponent_decay_range(polar_exponent(q), kDepths.back(),
+                                   largest_scan_amplitude(temperature))
       .extent;
 }
 
-// The weights of the fit are proportional to a power of the density. A power below 1 gives more
-// weight to points in the tail. With the power 1 the fit would return the polynomial Q_n of the
-// initial guess.
-VectorXd ClosureFormulation::fit_weights(const ClosureDensity& guess, double support,
-                                         const QuadraturePoints& points, const VectorXd& exponent,
-                                         const VectorXd&) const {
+// The least-squares fit of the exponent has weights proportional to a power of the density. A power
+// of the density below 1 gives more weight to points in the tail. With the power 1 the fit would
+// return the polynomial of the initial guess.
+VectorXd ClosureFormulation::weights_of_exponent_fit(const ClosureDensity& guess, double support,
+                                                     const QuadraturePoints& points,
+                                                     const VectorXd& exponent,
+                                                     const VectorXd&) const {
   constexpr double kFlatter = 0.5;
-  const double power = amplitude_of_energy(support) > guess.end_of_decay ? kFlatter : 1;
+  const double power = amplitude_of_energy(support) > guess.end_of_exponent_decay ? kFlatter : 1;
   const VectorXd mass =
       points.weight.array() * (power * (exponent.array() - exponent.maxCoeff())).exp();
   return mass / mass.sum();
 }
 
-double ClosureFormulation::decay_ratio(const ClosureDensity& closure, SearchStage) const {
+double ClosureFormulation::decay_ratio(const ClosureDensity& closure, RootSearchStage) const {
   constexpr int kInside = 50, kOutside = 12;
-  const Confinement confinement = half_plane::make_confinement(closure.level, tail_);
-  const PolarExponent q = polar_exponent(closure.q);
+  const ExponentConfinement confinement =
+      half_plane::make_exponent_confinement(closure.level, tail_);
+  const ExponentInPolarCoordinates q = polar_exponent(closure.q);
   const double rho = amplitude_of_energy(closure.level), end = amplitude_of_energy(closure.support);
   double peak = maximum_over_phase(q, 0), outside = -std::numeric_limits<double>::infinity();
   for (int i = 1; i <= kInside; ++i)
@@ -120,16 +124,16 @@ double ClosureFormulation::decay_ratio(const ClosureDensity& closure, SearchStag
   return std::exp(outside - peak);
 }
 
-double ClosureFormulation::decay_ratio_limit(SearchStage) const { return 1e-6; }
+double ClosureFormulation::decay_ratio_limit(RootSearchStage) const { return 1e-6; }
 
 std::string inadmissible_reason(const char* quantity, double at_level, double edge) {
   if (!(at_level < kLevelDensityLimit)) {
     return fmt::format("{} at or beyond the confinement level is {:.1e} of its peak (limit {:.0e})",
                        quantity, at_level, kLevelDensityLimit);
   }
-  if (!(edge < kEdgeDensityLimit)) {
+  if (!(edge < kMaxSupportEdgeDensity)) {
     return fmt::format("{} on the edge of its support is {:.1e} of its peak (limit {:.0e})",
-                       quantity, edge, kEdgeDensityLimit);
+                       quantity, edge, kMaxSupportEdgeDensity);
   }
   return "";
 }

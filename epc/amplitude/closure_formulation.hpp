@@ -9,14 +9,15 @@
 
 namespace fpkcheck::epc::amplitude {
 
-/// Returns the exponent of the density at an intermediate order: Q_n up to the amplitude at which
-/// Q_n may rise, and the exponent of a Gaussian beyond this amplitude.
-double exponent_with_gaussian_tail(const PolarExponent& q,
+/// Returns the exponent of the density at an intermediate closure order: Q_n up to the amplitude at
+/// which Q_n may rise, and the exponent of a Gaussian beyond this amplitude.
+double exponent_with_gaussian_tail(const ExponentInPolarCoordinates& q,
                                    const half_plane::ClosureDensity& closure, double rho,
                                    double theta);
 
 /// Tolerance on the change of the exponent Q_n by additional quadrature points, in standard
-/// deviations. The tolerance 1e-3 is below the error of the closure at the default orders.
+/// deviations. The tolerance 1e-3 on the exponent is below the error of closures of the default
+/// order.
 inline constexpr double kQuadratureTolerance = 1e-3;
 
 /// Closure formulation whose coordinate s is the amplitude rho. The confinement level is the energy
@@ -25,37 +26,37 @@ inline constexpr double kQuadratureTolerance = 1e-3;
 class ClosureFormulation : public half_plane::ClosureFormulation {
  public:
   /// @param temperature approximate E[v^2] of the initial Gaussian density
-  ClosureFormulation(double temperature, double rate_of_change_unit, TailTreatment tail)
+  ClosureFormulation(double temperature, double rate_of_change_unit, DensityTailTreatment tail)
       : temperature_(temperature), rate_unit_(rate_of_change_unit), tail_(tail) {}
 
   half_plane::ClosureDensity initial_density() const override;
   double rate_of_change_unit() const override { return rate_unit_; }
   std::vector<double> confinement_levels(const half_plane::ClosureDensity& guess,
-                                         half_plane::SearchStage stage) const override;
+                                         half_plane::RootSearchStage stage) const override;
   half_plane::QuadraturePointCounts quadrature_point_counts(
-      int order, double level_over_temperature, half_plane::SearchStage stage) const override;
+      int order, double level_over_temperature, half_plane::RootSearchStage stage) const override;
   half_plane::QuadratureRefinementCriterion quadrature_refinement_criterion() const override;
-  double exponent_of_guess(const half_plane::ClosureDensity& guess, double s,
-                           double t) const override;
-  double end_of_decay(const Polynomial& q, double temperature) const override;
-  Eigen::VectorXd fit_weights(const half_plane::ClosureDensity& guess, double support,
-                              const half_plane::QuadraturePoints& points,
-                              const Eigen::VectorXd& exponent,
-                              const Eigen::VectorXd& mass) const override;
+  double exponent_of_initial_guess(const half_plane::ClosureDensity& guess, double s,
+                                   double t) const override;
+  double end_of_exponent_decay(const ExponentPolynomial& q, double temperature) const override;
+  Eigen::VectorXd weights_of_exponent_fit(const half_plane::ClosureDensity& guess, double support,
+                                          const half_plane::QuadraturePoints& points,
+                                          const Eigen::VectorXd& exponent,
+                                          const Eigen::VectorXd& mass) const override;
   double decay_ratio(const half_plane::ClosureDensity& closure,
-                     half_plane::SearchStage stage) const override;
-  double decay_ratio_limit(half_plane::SearchStage stage) const override;
+                     half_plane::RootSearchStage stage) const override;
+  double decay_ratio_limit(half_plane::RootSearchStage stage) const override;
 
  protected:
   /// Returns the exponent Q_n as a function of amplitude and phase. The returned function keeps a
-  /// reference to q.
-  virtual PolarExponent polar_exponent(const Polynomial& q) const = 0;
+  /// reference to the polynomial q.
+  virtual ExponentInPolarCoordinates polar_exponent(const ExponentPolynomial& q) const = 0;
   /// Returns the phase theta of the point with the coordinates s and t.
   virtual double phase(double s, double t) const = 0;
 
  private:
   double temperature_, rate_unit_;
-  TailTreatment tail_;
+  DensityTailTreatment tail_;
 };
 
 /// Returns the reason why a density is inadmissible if only the confinement term causes its decay.
@@ -70,7 +71,7 @@ template <class Coordinates>
 class CoordinateFormulation final : public ClosureFormulation {
  public:
   CoordinateFormulation(const problem::Problem& problem, const Coordinates& coordinates,
-                        double temperature, double unit, TailTreatment tail)
+                        double temperature, double unit, DensityTailTreatment tail)
       : ClosureFormulation(temperature, unit, tail), problem_(problem), coordinates_(coordinates) {}
 
   half_plane::QuadraturePoints quadrature_points_below_energy(
@@ -81,8 +82,8 @@ class CoordinateFormulation final : public ClosureFormulation {
         Coordinates::amplitude_break_points(problem_.impulses.amplitude_law(), rho_max), size);
   }
   half_plane::ClosureEquations closure_equations(
-      double support, const half_plane::Confinement& confinement, half_plane::Basis basis,
-      half_plane::QuadraturePoints points,
+      double support, const half_plane::ExponentConfinement& confinement,
+      half_plane::OrthonormalBasis basis, half_plane::QuadraturePoints points,
       const half_plane::QuadraturePointCounts& size) const override {
     return amplitude::closure_equations(problem_, coordinates_, amplitude_of_energy(support),
                                         confinement, std::move(basis), std::move(points),
@@ -90,7 +91,7 @@ class CoordinateFormulation final : public ClosureFormulation {
   }
 
  protected:
-  PolarExponent polar_exponent(const Polynomial& q) const override {
+  ExponentInPolarCoordinates polar_exponent(const ExponentPolynomial& q) const override {
     return amplitude::polar_exponent<Coordinates>(q);
   }
   double phase(double s, double t) const override { return Coordinates::phase(s, t); }
@@ -104,19 +105,20 @@ class CoordinateFormulation final : public ClosureFormulation {
 /// density, and sets the status.
 /// @param quantity name of the quantity whose decay is checked, for the reason
 template <class Coordinates>
-void assess_root(const problem::Problem& problem, const Coordinates& coordinates,
-                 const half_plane::RootSearchResult& root, TailTreatment tail,
-                 const transform::SmoothDensity& density, const char* quantity, Result& result) {
+void assess_closure_root(const problem::Problem& problem, const Coordinates& coordinates,
+                         const half_plane::RootSearchResult& root, DensityTailTreatment tail,
+                         const transform::SmoothDensity& density, const char* quantity,
+                         ClosureResult& result) {
   const half_plane::ClosureDensity& closure = root.closure;
-  Summary& summary = result.summary;
+  ClosureSummary& summary = result.summary;
   const StandardDeviations sigma = half_plane::root_mean_squares(summary.moments);
-  summary.leading_form = leading_form_in_amplitude<Coordinates>(closure.q, sigma);
+  summary.leading_form = leading_form_of_amplitude_exponent<Coordinates>(closure.q, sigma);
   summary.frame = half_plane::closed_form_parameters(closure, tail, Coordinates::kVariables);
   summary.frame->coordinates = problem.frame;
   const double support = amplitude_of_energy(closure.support);
-  const double edge =
-      std::exp(maximum_over_phase(amplitude::polar_exponent<Coordinates>(closure.q), support) +
-               half_plane::make_confinement(closure.level, tail)(closure.support) - closure.peak);
+  const double edge = std::exp(
+      maximum_over_phase(amplitude::polar_exponent<Coordinates>(closure.q), support) +
+      half_plane::make_exponent_confinement(closure.level, tail)(closure.support) - closure.peak);
   half_plane::store_half_plane_summary(
       root, tail, density, sigma,
       {.support = constant_amplitude_contour(coordinates, support),

@@ -16,9 +16,9 @@ constexpr double kNegligible = 1e-18;  // probability below which a point is omi
 }  // namespace
 
 GradedImpulseQuadrature::GradedImpulseQuadrature(const problem::ImpulseLaw& law)
-    : law_(law), pieces_(law.density_breakpoints()), atoms_(law.atoms()) {}
+    : law_(law), pieces_(law.amplitude_density_breakpoints()), atoms_(law.amplitude_atoms()) {}
 
-const PostImpulseVelocities& GradedImpulseQuadrature::operator()(double v, double width) {
+const VelocitiesAfterImpulse& GradedImpulseQuadrature::operator()(double v, double width) {
   after_.v.clear();
   after_.probability.clear();
   for (const auto& [amplitude, probability] : atoms_) {
@@ -43,13 +43,13 @@ const PostImpulseVelocities& GradedImpulseQuadrature::operator()(double v, doubl
     const double step = breaks_[i + 1] - breaks_[i];
     const int panels = static_cast<int>(std::ceil(step / (kPanel * law_.deviation())));
     for (int k = 0; k < panels; ++k) {
-      add_panel(breaks_[i] + step * k / panels, breaks_[i] + step * (k + 1) / panels, v);
+      add_quadrature_panel(breaks_[i] + step * k / panels, breaks_[i] + step * (k + 1) / panels, v);
     }
   }
   return after_;
 }
 
-void GradedImpulseQuadrature::add_panel(double from, double to, double v) {
+void GradedImpulseQuadrature::add_quadrature_panel(double from, double to, double v) {
   using Rule = boost::math::quadrature::gauss<double, 8>;
   const double half = (to - from) / 2, centre = (from + to) / 2;
   for (std::size_t i = 0; i < Rule::abscissa().size(); ++i) {
@@ -67,13 +67,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-MatrixXd means_after_impulse(const problem::ImpulseLaw& law, const half_plane::Basis& basis,
-                             const VectorXd& w, const VectorXd& v,
-                             const CoordinateMap& coordinates) {
+MatrixXd means_after_impulse(const problem::ImpulseLaw& law,
+                             const half_plane::OrthonormalBasis& basis, const VectorXd& w,
+                             const VectorXd& v, const CoordinatesOfPhasePoint& coordinates) {
   GradedImpulseQuadrature rule(law);
   MatrixXd result(v.size(), basis.size());
   for (Index i = 0; i < v.size(); ++i) {
-    const PostImpulseVelocities& after = rule(v[i], w[i]);
+    const VelocitiesAfterImpulse& after = rule(v[i], w[i]);
     const auto count = static_cast<Index>(after.v.size());
     VectorXd s(count), t(count);
     for (Index k = 0; k < count; ++k) std::tie(s[k], t[k]) = coordinates(w[i], after.v[k]);

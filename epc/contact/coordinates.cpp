@@ -14,10 +14,10 @@ bool force_presses_on_single_wall(const problem::Problem& problem) {
   const auto features = problem::problem_features(problem);
   const auto& system = problem.system;
   return features.rests_in_contact && !features.two_walls &&
-         problem::sign_change_points_between_walls(system.restoring_force(), system).empty();
+         problem::polynomial_sign_changes_between_walls(system.restoring_force(), system).empty();
 }
 
-Coordinates::Coordinates(const problem::Problem& problem)
+AmplitudeVelocityCoordinates::AmplitudeVelocityCoordinates(const problem::Problem& problem)
     : potential_(problem.system.restoring_force().antiderivative()),
       force_(problem.system.restoring_force()),
       restitution_(problem.system.restitution()),
@@ -26,7 +26,7 @@ Coordinates::Coordinates(const problem::Problem& problem)
   assert(force_presses_on_single_wall(problem));
 }
 
-double Coordinates::displacement(double w) const {
+double AmplitudeVelocityCoordinates::displacement(double w) const {
   if (w == 0) return 0;
   const double energy = w * w / 2;
   double beyond = energy / force_(0.0);
@@ -40,8 +40,8 @@ double Coordinates::displacement(double w) const {
       std::min(beyond, energy / force_(0.0)), 0.0, beyond, kDigits, iterations);
 }
 
-amplitude::CoordinateRates Coordinates::coordinate_rates(const problem::System& system, double y,
-                                                         double rho, double v) const {
+amplitude::CoordinateTimeDerivatives AmplitudeVelocityCoordinates::coordinate_time_derivatives(
+    const problem::System& system, double y, double rho, double v) const {
   const double damping =
       (system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v) * v;
   return {-v * damping / rho, -(damping + force_(y))};

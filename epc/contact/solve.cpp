@@ -17,9 +17,9 @@ using half_plane::RootSearchResult;
 using transform::GridDensity;
 
 double marginal_l1_distance(const GridDensity& a, const GridDensity& b) {
-  std::vector<double> y_difference(a.ny()), v_difference(a.nv());
-  for (std::size_t i = 0; i < a.ny(); ++i) {
-    for (std::size_t j = 0; j < a.nv(); ++j) {
+  std::vector<double> y_difference(a.y_cell_count()), v_difference(a.v_cell_count());
+  for (std::size_t i = 0; i < a.y_cell_count(); ++i) {
+    for (std::size_t j = 0; j < a.v_cell_count(); ++j) {
       const double area = (a.y_edges[i + 1] - a.y_edges[i]) * (a.v_edges[j + 1] - a.v_edges[j]);
       const double difference = area * (a.cell_average(i, j) - b.cell_average(i, j));
       y_difference[i] += difference;
@@ -33,18 +33,21 @@ double marginal_l1_distance(const GridDensity& a, const GridDensity& b) {
   return sum;
 }
 
-double probability_at_rest(const Coordinates& coordinates, const ClosureDensity& closure) {
-  return coordinates.atom_weight() * std::exp(closure.q(0, 0) - closure.log_normalisation);
+double probability_at_rest(const AmplitudeVelocityCoordinates& coordinates,
+                           const ClosureDensity& closure) {
+  return coordinates.relative_atom_probability() *
+         std::exp(closure.q(0, 0) - closure.log_normalisation);
 }
 
-// Returns the distance of a solution to the root of order n - 2: L1 distances on the cells, plus
-// the difference between the atoms in each of the two marginal distributions.
-double distance_to_previous_order(const Coordinates& coordinates, const ClosureDensity& previous,
-                                  TailTreatment tail, const transform::Solution& solution) {
+// Returns the distance of a solution to the root of closure order n - 2: L1 distances on the cells,
+// plus the difference between the atoms in each of the two marginal distributions.
+double distance_to_previous_order(const AmplitudeVelocityCoordinates& coordinates,
+                                  const ClosureDensity& previous, DensityTailTreatment tail,
+                                  const transform::Solution& solution) {
   const auto& cells = std::get<GridDensity>(*solution.density);
   const GridDensity before = transform::average_over_cells(
       amplitude::density_from_exponent(previous.q, coordinates, previous.support,
-                                       half_plane::make_confinement(previous.level, tail),
+                                       half_plane::make_exponent_confinement(previous.level, tail),
                                        -previous.log_normalisation),
       cells.y_edges, cells.v_edges);
   const double atoms =
@@ -54,28 +57,30 @@ double distance_to_previous_order(const Coordinates& coordinates, const ClosureD
 
 }  // namespace
 
-Result solve(const problem::Problem& problem, const Options& options) {
-  const Coordinates coordinates(problem);
+ClosureResult solve_closure(const problem::Problem& problem, const ClosureOptions& options) {
+  const AmplitudeVelocityCoordinates coordinates(problem);
   const double deviation = problem::motion_scales(problem).velocity_deviation;
   const double temperature = deviation * deviation;
-  const RootSearchResult root = half_plane::find_root(
+  const RootSearchResult root = half_plane::find_closure_root(
       amplitude::CoordinateFormulation(problem, coordinates, temperature,
                                        half_plane::rate_of_change_unit(problem, temperature),
                                        options.tail),
       options);
-  Result result = half_plane::make_unassessed_result(root);
+  ClosureResult result = half_plane::make_unassessed_result(root);
   if (!root.failure.empty()) return result;
 
   const ClosureDensity& closure = root.closure;
   const transform::SmoothDensity density = amplitude::density_from_exponent(
       closure.q, coordinates, closure.support,
-      half_plane::make_confinement(closure.level, options.tail), -closure.log_normalisation);
+      half_plane::make_exponent_confinement(closure.level, options.tail),
+      -closure.log_normalisation);
   store_density_and_atom(problem, coordinates, root, density, result);
   if (root.previous) {
     result.summary.distance_to_previous =
         distance_to_previous_order(coordinates, *root.previous, options.tail, result.solution);
   }
-  amplitude::assess_root(problem, coordinates, root, options.tail, density, "exp(Q_n)", result);
+  amplitude::assess_closure_root(problem, coordinates, root, options.tail, density, "exp(Q_n)",
+                                 result);
   return result;
 }
 

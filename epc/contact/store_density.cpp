@@ -14,8 +14,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using half_plane::QuadraturePoints;
 
-// Returns cell edges from 0 to `end`. The first cell has the width first * end. The widths of all
-// later cells grow in proportion to the distance from 0, up to a largest width.
+// Returns cell edges from 0 to `end`. The width of the first cell is `first` times `end`. The
+// widths of further cells grow in proportion to the distance from 0, up to a largest width.
 std::vector<double> edges_graded_to_zero(double end, double first, double growth) {
   constexpr int kEven = 120;
   std::vector<double> edges{0};
@@ -36,7 +36,7 @@ std::vector<double> join_with_mirror_image(const std::vector<double>& edges) {
 
 // Discrete approximation of the stationary law: points with probabilities, the last point being the
 // atom.
-struct DiscreteLaw {
+struct DiscreteAmplitudeLaw {
   QuadraturePoints points;
   VectorXd mass;
 
@@ -49,25 +49,26 @@ struct DiscreteLaw {
   }
 };
 
-DiscreteLaw make_discrete_law(const Coordinates& coordinates,
-                              const half_plane::RootSearchResult& root,
-                              const transform::SmoothDensity& density) {
+DiscreteAmplitudeLaw make_discrete_law(const AmplitudeVelocityCoordinates& coordinates,
+                                       const half_plane::RootSearchResult& root,
+                                       const transform::SmoothDensity& density) {
   const half_plane::ClosureDensity& closure = root.closure;
-  DiscreteLaw law{
+  DiscreteAmplitudeLaw law{
       .points = amplitude::quadrature_points(
           coordinates, amplitude::amplitude_of_energy(closure.support), {}, root.quadrature),
       .mass = {}};
   law.mass = law.points.weight;
   const Index last = law.mass.size() - 1;
   for (Index i = 0; i < last; ++i) {
-    const double factor = Coordinates::density_prefactor(law.points.s[i]);
+    const double factor = AmplitudeVelocityCoordinates::density_prefactor(law.points.s[i]);
     law.mass[i] *= density.value(law.points.y[i], law.points.v[i]) / factor;
   }
   law.mass[last] *= std::exp(closure.q(0, 0) - closure.log_normalisation);
   return law;
 }
 
-transform::Moments moments_of_law(const problem::WallFrame& frame, const DiscreteLaw& law) {
+transform::Moments moments_of_law(const problem::WallFrame& frame,
+                                  const DiscreteAmplitudeLaw& law) {
   const auto mean = [&](int y_power, int v_power) {
     return law.mean_of([&](double y, double v) {
       return std::pow(frame.physical_y(y), y_power) * std::pow(frame.physical_velocity(v), v_power);
@@ -91,8 +92,8 @@ double partial_moment_towards_wall(const problem::ImpulseLaw& law, int power) {
   return sum;
 }
 
-// Returns int u^power p(0, -u) du over the impact speeds u. The density p does not contain the mass
-// at rest on the wall.
+// Returns int u^power p(0, -u) du over the impact speeds u. This density p(y, v) does not contain
+// the mass at rest on the wall.
 double moment_of_wall_flux(const transform::SmoothDensity& density, int points, int power) {
   const auto wall = numerics::gauss_legendre_rule(points, 0, density.v_max);
   double sum = 0;
@@ -103,7 +104,7 @@ double moment_of_wall_flux(const transform::SmoothDensity& density, int points, 
 }
 
 transform::BalanceResiduals balance_residuals_of_law(const problem::Problem& problem,
-                                                     const DiscreteLaw& law,
+                                                     const DiscreteAmplitudeLaw& law,
                                                      double momentum_of_impacts,
                                                      double release_rate) {
   const problem::System& system = problem.system;
@@ -124,27 +125,29 @@ transform::BalanceResiduals balance_residuals_of_law(const problem::Problem& pro
     virial.mean_y_cubed_velocity = law.mean_of([](double y, double v) { return y * v * v * v; });
     momentum.mean_cubed_velocity = law.mean_of([](double, double v) { return v * v * v; });
   }
-  return {.virial = problem::virial_balance(problem, virial).residual(),
-          .momentum = problem::momentum_balance(problem, momentum).residual()};
+  return {.virial = problem::virial_balance(problem, virial).relative_residual(),
+          .momentum = problem::momentum_balance(problem, momentum).relative_residual()};
 }
 
 }  // namespace
 
 transform::GridDensity average_on_graded_cells(const transform::SmoothDensity& density) {
-  // Near the corner y = v = 0, y is of the order of v^2. The first cell in y therefore has the
-  // relative width kFirst^2. The first cells contain a probability of the order of kFirst.
+  // Near the corner y = v = 0 of the half-plane, displacements y are of the order of v^2. The first
+  // cell in y therefore has the relative width kFirst^2, and the first cell in v the relative width
+  // kFirst. These cells contain a probability of the order of kFirst.
   constexpr double kFirst = 1e-6, kGrowth = 1.3;
   return transform::average_over_cells(
       density, edges_graded_to_zero(density.y_max, kFirst * kFirst, kGrowth * kGrowth),
       join_with_mirror_image(edges_graded_to_zero(density.v_max, kFirst, kGrowth)));
 }
 
-void store_density_and_atom(const problem::Problem& problem, const Coordinates& coordinates,
+void store_density_and_atom(const problem::Problem& problem,
+                            const AmplitudeVelocityCoordinates& coordinates,
                             const half_plane::RootSearchResult& root,
-                            const transform::SmoothDensity& density, Result& result) {
+                            const transform::SmoothDensity& density, ClosureResult& result) {
   auto& [solution, summary] = result;
   const problem::System& system = problem.system;
-  const DiscreteLaw law = make_discrete_law(coordinates, root, density);
+  const DiscreteAmplitudeLaw law = make_discrete_law(coordinates, root, density);
   const double release_rate = problem.impulses.arrival_rate() * law.probability_of_rest();
   transform::GridDensity cells = average_on_graded_cells(density);
   solution.mass = transform::mass(cells) + law.probability_of_rest();

@@ -13,8 +13,9 @@ transform::GridDensity average_on_graded_cells(const transform::SmoothDensity& d
 
 /// Stores in a result the averages of the density over graded cells, the atom, the total
 /// probability, the moments, and the residuals of the balances of power, virial and momentum.
-void store_density_and_atom(const problem::Problem& problem, const Coordinates& coordinates,
+void store_density_and_atom(const problem::Problem& problem,
+                            const AmplitudeVelocityCoordinates& coordinates,
                             const half_plane::RootSearchResult& root,
-                            const transform::SmoothDensity& density, Result& result);
+                            const transform::SmoothDensity& density, ClosureResult& result);
 
 }  // namespace fpkcheck::epc::contact

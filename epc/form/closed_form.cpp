@@ -15,8 +15,8 @@ namespace {
 
 using transform::Metrics;
 
-// Largest power that a file may contain, checked before memory is allocated. Powers above 40 are
-// unusable in double precision.
+// Largest power of a monomial in a file with a closed form, checked before memory is allocated.
+// Monomials with powers above 40 are unusable in double precision.
 constexpr int kHighestPower = 40;
 
 double require_number(const Metrics& metrics, const std::string& path) {
@@ -60,8 +60,8 @@ int require_power(const Metrics& metrics, const std::string& path) {
   return static_cast<int>(value);
 }
 
-std::vector<Term> read_terms(const Metrics& metrics) {
-  std::vector<Term> terms;
+std::vector<ExponentMonomial> read_terms(const Metrics& metrics) {
+  std::vector<ExponentMonomial> terms;
   constexpr std::size_t kMost = 2000;
   for (std::size_t k = 0;; ++k) {
     const std::string path = fmt::format("coefficients[{}].", k);
@@ -103,7 +103,7 @@ problem::WallFrame read_frame_of_coordinates(const Metrics& metrics) {
   return frame;
 }
 
-BoundingBox read_bounding_box(const Metrics& metrics, double y_max, double v_max) {
+DensityBoundingBox read_bounding_box(const Metrics& metrics, double y_max, double v_max) {
   const double y_min = optional_number(metrics, "support.y_min").value_or(0);
   if (y_min < y_max) return {y_max, v_max, y_min};
   throw InputError(
@@ -116,7 +116,7 @@ bool has_closed_form(const Metrics& metrics) {
   return transform::find_metric(metrics, "coefficients[0].a") != nullptr;
 }
 
-ClosedForm read_closed_form(const Metrics& metrics) {
+ClosedFormDensity read_closed_form(const Metrics& metrics) {
   ClosedFormParameters frame{.variables = read_coordinates_of_exponent(metrics),
                              .coordinates = read_frame_of_coordinates(metrics),
                              .log_constant = read_log_constant(metrics)};
@@ -139,7 +139,7 @@ ClosedForm read_closed_form(const Metrics& metrics) {
     }
     if (y_max) frame.box = read_bounding_box(metrics, *y_max, *v_max);
   }
-  return {Polynomial(read_terms(metrics)), frame};
+  return {ExponentPolynomial(read_terms(metrics)), frame};
 }
 
 }  // namespace fpkcheck::epc

@@ -11,14 +11,14 @@
 
 namespace fpkcheck::epc {
 
-/// The two variables of the polynomial Q_n in the exponent of a density.
+/// Pair of variables of the polynomial Q_n in the exponent of a closure density C exp(Q_n).
 enum class ExponentCoordinates {
   /// Coordinates z and z' of Zhuravlev's plane: p(y, v) = C (exp Q(y, v) + exp Q(-y, -v))
   plane,
   physical,  ///< coordinates y and v: p(y, v) = C exp Q(y, v)
-  polar,     ///< amplitude and phase, polar::Coordinates: p(y, v) = C exp Q(rho, theta)
-  /// Amplitude and velocity, contact::Coordinates: p(y, v) = C exp Q(rho, v) / (rho^2/2), with an
-  /// atom at y = v = 0
+  polar,  ///< amplitude and phase, polar::AmplitudePhaseCoordinates: p(y, v) = C exp Q(rho, theta)
+  /// Amplitude and velocity, contact::AmplitudeVelocityCoordinates: p(y, v) = C exp Q(rho, v) /
+  /// (rho^2/2), with an atom at y = v = 0
   contact
 };
 inline constexpr base::EnumEntry<ExponentCoordinates> kExponentCoordinatesNames[] = {
@@ -29,8 +29,8 @@ inline constexpr base::EnumEntry<ExponentCoordinates> kExponentCoordinatesNames[
 constexpr const auto& enumerator_names(ExponentCoordinates) { return kExponentCoordinatesNames; }
 constexpr std::string_view name(ExponentCoordinates variables) { return base::name_of(variables); }
 
-/// Bounding box in the (y, v) plane; the density is 0 outside.
-struct BoundingBox {
+/// Bounding box of a density in the (y, v) plane; outside this box the density is 0.
+struct DensityBoundingBox {
   double y_max, v_max;
   double y_min = 0;
 };
@@ -39,25 +39,27 @@ struct BoundingBox {
 /// Q_n.
 struct ClosedFormParameters {
   ExponentCoordinates variables = ExponentCoordinates::plane;
-  /// Origin and direction of the coordinates of Q_n on the physical axes (problem/walls.hpp).
+  /// Origin and direction of the coordinates of the polynomial Q_n on the physical axes
+  /// (problem/walls.hpp).
   problem::WallFrame coordinates = {};
-  /// ln C of the constant factor C; empty for a density that is not normalised.
+  /// Logarithm of the constant factor C of a closure density; empty for a density that is not
+  /// normalised.
   std::optional<double> log_constant = {};
   /// Standard deviations that scale the support gaussian::DensitySupport; empty for other supports.
   std::optional<StandardDeviations> deviations = {};
-  /// Energy above which the density is 0; unused for the coordinates `plane`.
+  /// Energy above which the closure density is 0; unused for the coordinates `plane`.
   double support = std::numeric_limits<double>::infinity();
   /// Level of half_plane::Confinement, infinite without confinement; unused for the coordinates
   /// `plane`.
   double level = std::numeric_limits<double>::infinity();
-  /// Bounding box of the density; used if `deviations` is empty and `support` is infinite.
-  std::optional<BoundingBox> box = {};
+  /// Bounding box of the closure density; used if `deviations` is empty and `support` is infinite.
+  std::optional<DensityBoundingBox> box = {};
 };
 
-/// Density of a closure as stored in files. For some coordinates the evaluation also needs the
-/// problem.
-struct ClosedForm {
-  Polynomial q;
+/// Closed form of a closure density, as stored in files. The evaluation of a closed form in some
+/// coordinates also needs the problem.
+struct ClosedFormDensity {
+  ExponentPolynomial q;
   ClosedFormParameters frame;
 };
 
@@ -70,6 +72,6 @@ bool has_closed_form(const transform::Metrics& metrics);
 ///    `support.{y_max,v_max}`, with `support.y_min` if y_min is not 0;
 ///  - `frame.{origin,mirrored}` if the coordinates are not the physical coordinates.
 /// @throws InputError that states the missing or invalid key, without the file name
-ClosedForm read_closed_form(const transform::Metrics& metrics);
+ClosedFormDensity read_closed_form(const transform::Metrics& metrics);
 
 }  // namespace fpkcheck::epc

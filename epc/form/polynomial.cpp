@@ -11,12 +11,13 @@
 
 namespace fpkcheck::epc {
 
-Polynomial::Polynomial(std::vector<Term> terms) : terms_(std::move(terms)), degree_(0) {
+ExponentPolynomial::ExponentPolynomial(std::vector<ExponentMonomial> terms)
+    : terms_(std::move(terms)), degree_(0) {
   for (const auto& [p, q, a] : terms_) degree_ = std::max(degree_, p + q);
   for (int p = degree_; p >= 0; --p) {
     for (int q = degree_ - p; q >= 0; --q) {
       double coefficient = 0;
-      for (const Term& term : terms_) {
+      for (const ExponentMonomial& term : terms_) {
         if (term.x1 == p && term.x2 == q) coefficient += term.a;
       }
       triangle_.push_back(coefficient);
@@ -24,7 +25,7 @@ Polynomial::Polynomial(std::vector<Term> terms) : terms_(std::move(terms)), degr
   }
 }
 
-double Polynomial::operator()(double x1, double x2) const {
+double ExponentPolynomial::operator()(double x1, double x2) const {
   double value = 0;
   const double* coefficient = triangle_.data();
   for (int p = degree_; p >= 0; --p) {
@@ -35,7 +36,7 @@ double Polynomial::operator()(double x1, double x2) const {
   return value;
 }
 
-std::vector<double> Polynomial::coefficients_along_ray(double e1, double e2) const {
+std::vector<double> ExponentPolynomial::coefficients_along_ray(double e1, double e2) const {
   std::vector<double> power1{1}, power2{1};
   for (int m = 1; m <= degree_; ++m) {
     power1.push_back(power1.back() * e1);
@@ -54,10 +55,10 @@ std::vector<double> derivative_coefficients(const std::vector<double>& coefficie
   return result;
 }
 
-const std::vector<Direction>& equiangular_directions() {
+const std::vector<PlaneDirection>& equiangular_directions() {
   constexpr int kDirections = 1440;
-  static const std::vector<Direction> table = [] {
-    std::vector<Direction> all;
+  static const std::vector<PlaneDirection> table = [] {
+    std::vector<PlaneDirection> all;
     for (int k = 0; k < kDirections; ++k) {
       const double half_turns = 2.0 * k / kDirections;
       all.push_back({boost::math::cos_pi(half_turns), boost::math::sin_pi(half_turns)});
@@ -67,15 +68,17 @@ const std::vector<Direction>& equiangular_directions() {
   return table;
 }
 
-std::size_t distinct_direction_count(const Polynomial& q) {
-  const bool even = std::ranges::all_of(
-      q.terms(), [](const Term& term) { return (term.x1 + term.x2) % 2 == 0 || term.a == 0; });
+std::size_t distinct_direction_count(const ExponentPolynomial& q) {
+  const bool even = std::ranges::all_of(q.terms(), [](const ExponentMonomial& term) {
+    return (term.x1 + term.x2) % 2 == 0 || term.a == 0;
+  });
   return even ? equiangular_directions().size() / 2 : equiangular_directions().size();
 }
 
-RadialPolynomial radial_polynomial(const Polynomial& q, const StandardDeviations& sigma,
-                                   const Direction& direction) {
-  RadialPolynomial coefficients =
+PolynomialAlongRay polynomial_along_ray(const ExponentPolynomial& q,
+                                        const StandardDeviations& sigma,
+                                        const PlaneDirection& direction) {
+  PolynomialAlongRay coefficients =
       q.coefficients_along_ray(sigma.x1 * direction.x1, sigma.x2 * direction.x2);
   while (!coefficients.empty() && coefficients.back() == 0) coefficients.pop_back();
   return coefficients;
@@ -83,24 +86,26 @@ RadialPolynomial radial_polynomial(const Polynomial& q, const StandardDeviations
 
 namespace {
 
-// Removes terms without a reliable sign, which are rounding errors. In the scaled plane, terms
-// without a reliable sign are smaller than kRounding times the largest term.
-Polynomial remove_terms_of_rounding(const Polynomial& q, const StandardDeviations& sigma) {
+// Removes polynomial terms without a reliable sign, which are rounding errors. In the scaled plane,
+// terms without a reliable sign are smaller than kRounding times the largest term.
+ExponentPolynomial remove_terms_of_rounding(const ExponentPolynomial& q,
+                                            const StandardDeviations& sigma) {
   constexpr double kRounding = 1e-10;
-  const auto size = [&](const Term& term) {
+  const auto size = [&](const ExponentMonomial& term) {
     return std::abs(term.a) * std::pow(sigma.x1, term.x1) * std::pow(sigma.x2, term.x2);
   };
   double largest = 0;
-  for (const Term& term : q.terms()) largest = std::max(largest, size(term));
-  std::vector<Term> terms = q.terms();
-  std::erase_if(terms, [&](const Term& term) { return size(term) <= kRounding * largest; });
-  return Polynomial(std::move(terms));
+  for (const ExponentMonomial& term : q.terms()) largest = std::max(largest, size(term));
+  std::vector<ExponentMonomial> terms = q.terms();
+  std::erase_if(terms,
+                [&](const ExponentMonomial& term) { return size(term) <= kRounding * largest; });
+  return ExponentPolynomial(std::move(terms));
 }
 
 // Returns the radius, in units of sigma, from which a polynomial of the radius rises: the largest
 // radius below `end` at which the slope of the polynomial changes sign.
-double last_radius_of_rise(const RadialPolynomial& ray, double sigma, double end, double step) {
-  const RadialPolynomial slope = derivative_coefficients(ray);
+double last_radius_of_rise(const PolynomialAlongRay& ray, double sigma, double end, double step) {
+  const PolynomialAlongRay slope = derivative_coefficients(ray);
   double radius = end;
   while (radius > 0 && evaluate_polynomial(slope, radius * sigma) > 0) radius -= step;
   return std::max(radius, 0.0);
@@ -108,19 +113,19 @@ double last_radius_of_rise(const RadialPolynomial& ray, double sigma, double end
 
 }  // namespace
 
-LeadingForm leading_form(const Polynomial& with_rounding, const StandardDeviations& sigma,
-                         DirectionSet plane) {
-  const Polynomial q = remove_terms_of_rounding(with_rounding, sigma);
-  LeadingForm form{true, {1, 0}, 0, 0};
+LeadingFormOfExponent leading_form(const ExponentPolynomial& with_rounding,
+                                   const StandardDeviations& sigma, PlaneDirectionRange plane) {
+  const ExponentPolynomial q = remove_terms_of_rounding(with_rounding, sigma);
+  LeadingFormOfExponent form{true, {1, 0}, 0, 0};
   double largest = -std::numeric_limits<double>::infinity();
   int rising = 0, seen = 0;
   const std::size_t distinct = distinct_direction_count(q);
-  RadialPolynomial worst;
+  PolynomialAlongRay worst;
   for (std::size_t k = 0; k < equiangular_directions().size(); ++k) {
-    const Direction e = equiangular_directions()[k];
-    if (plane == DirectionSet::half ? e.x1 < 0 : k >= distinct) continue;
+    const PlaneDirection e = equiangular_directions()[k];
+    if (plane == PlaneDirectionRange::half ? e.x1 < 0 : k >= distinct) continue;
     ++seen;
-    const RadialPolynomial coefficients = radial_polynomial(q, sigma, e);
+    const PolynomialAlongRay coefficients = polynomial_along_ray(q, sigma, e);
     if (coefficients.size() < 2) continue;
     const double leading = coefficients.back();
     if (leading > 0) ++rising;
@@ -133,19 +138,20 @@ LeadingForm leading_form(const Polynomial& with_rounding, const StandardDeviatio
   form.negative = rising == 0;
   form.rising_fraction = static_cast<double>(rising) / seen;
   if (!form.negative)
-    form.rises_from = last_radius_of_rise(worst, 1, 4 * kLargestRadius, kRadialStep / 8);
+    form.rises_from = last_radius_of_rise(worst, 1, 4 * kLargestRayRadius, kRayScanStep / 8);
   return form;
 }
 
-LeadingForm leading_form_along_directions(const Polynomial& q,
-                                          const std::vector<Direction>& directions, double sigma) {
+LeadingFormOfExponent leading_form_along_directions(const ExponentPolynomial& q,
+                                                    const std::vector<PlaneDirection>& directions,
+                                                    double sigma) {
   assert(!directions.empty());
-  LeadingForm form{true, {1, 0}, 0, 0};
+  LeadingFormOfExponent form{true, {1, 0}, 0, 0};
   double largest = -std::numeric_limits<double>::infinity();
   int rising = 0;
-  RadialPolynomial worst;
-  for (const Direction& e : directions) {
-    const RadialPolynomial coefficients = q.coefficients_along_ray(e.x1, e.x2);
+  PolynomialAlongRay worst;
+  for (const PlaneDirection& e : directions) {
+    const PolynomialAlongRay coefficients = q.coefficients_along_ray(e.x1, e.x2);
     const double leading = coefficients.back();
     if (leading >= 0) ++rising;
     if (leading <= largest) continue;
@@ -156,11 +162,11 @@ LeadingForm leading_form_along_directions(const Polynomial& q,
   form.negative = rising == 0;
   form.rising_fraction = static_cast<double>(rising) / static_cast<double>(directions.size());
   if (!form.negative)
-    form.rises_from = last_radius_of_rise(worst, sigma, kLargestRadius, kRadialStep / 2);
+    form.rises_from = last_radius_of_rise(worst, sigma, kLargestRayRadius, kRayScanStep / 2);
   return form;
 }
 
-std::string describe_leading_form(const LeadingForm& form, const std::string& plane) {
+std::string describe_leading_form(const LeadingFormOfExponent& form, const std::string& plane) {
   if (form.negative) return "although Q_n falls at infinity";
   return fmt::format(
       "and Q_n rises at infinity along {:.0f} % of all directions, most steeply along {} = "

@@ -7,18 +7,18 @@
 namespace fpkcheck::epc {
 
 /// Term a x1^p x2^q of the polynomial Q_n.
-struct Term {
+struct ExponentMonomial {
   int x1;
   int x2;
   double a;
 };
 
 /// Polynomial Q_n(x1, x2) of paper (18), without a constant term.
-class Polynomial {
+class ExponentPolynomial {
  public:
-  explicit Polynomial(std::vector<Term> terms);
+  explicit ExponentPolynomial(std::vector<ExponentMonomial> terms);
 
-  const std::vector<Term>& terms() const { return terms_; }
+  const std::vector<ExponentMonomial>& terms() const { return terms_; }
   int degree() const { return degree_; }
 
   double operator()(double x1, double x2) const;
@@ -27,9 +27,10 @@ class Polynomial {
   std::vector<double> coefficients_along_ray(double e1, double e2) const;
 
  private:
-  std::vector<Term> terms_;
+  std::vector<ExponentMonomial> terms_;
   int degree_;
-  // Coefficients of x1^p x2^q: one row for each p = degree .. 0, with q = degree - p .. 0
+  // Coefficients of the monomials x1^p x2^q: one row for each p = degree .. 0, with q = degree - p
+  // .. 0
   std::vector<double> triangle_;
 };
 
@@ -50,58 +51,63 @@ struct StandardDeviations {
 };
 
 /// Direction (cos theta, sin theta) in the scaled plane (x1/sigma_1, x2/sigma_2).
-struct Direction {
+struct PlaneDirection {
   double x1;
   double x2;
 };
 
 /// Coefficients of the polynomial rho -> Q_n along a direction of the scaled plane, lowest power
 /// first. The last coefficient is not 0.
-using RadialPolynomial = std::vector<double>;
+using PolynomialAlongRay = std::vector<double>;
 
-/// Step and largest radius of the radial scans, in standard deviations.
-inline constexpr double kRadialStep = 0.1;
-inline constexpr double kLargestRadius = 15;
+/// Step and largest radius of the scans of a polynomial along rays from the origin, in standard
+/// deviations.
+inline constexpr double kRayScanStep = 0.1;
+inline constexpr double kLargestRayRadius = 15;
 
 /// Returns directions at equal angles over the whole circle, without rounding errors along the
 /// axes.
-const std::vector<Direction>& equiangular_directions();
+const std::vector<PlaneDirection>& equiangular_directions();
 
 /// Returns the number of leading entries of equiangular_directions() along which the values of the
-/// exponent Q_n are distinct: half of all directions if all degrees of Q_n are even.
-std::size_t distinct_direction_count(const Polynomial& q);
+/// exponent Q_n are distinct: half of all directions if all degrees of the polynomial Q_n are even.
+std::size_t distinct_direction_count(const ExponentPolynomial& q);
 
 /// Returns the polynomial of the scaled radius to which Q_n reduces along a direction.
-RadialPolynomial radial_polynomial(const Polynomial& q, const StandardDeviations& sigma,
-                                   const Direction& direction);
+PolynomialAlongRay polynomial_along_ray(const ExponentPolynomial& q,
+                                        const StandardDeviations& sigma,
+                                        const PlaneDirection& direction);
 
 /// Behaviour of the exponent Q_n at infinity by condition (19) of the paper: sign of the
-/// coefficient of the highest significant power of Q_n along each direction.
-struct LeadingForm {
+/// coefficient of the highest significant power of the polynomial Q_n along each direction.
+struct LeadingFormOfExponent {
   bool negative;
-  Direction worst;  ///< direction with the largest leading coefficient
+  PlaneDirection worst;  ///< direction with the largest leading coefficient
   /// Scaled radius, at most 60, beyond which the exponent Q_n rises in the worst direction
   double rises_from = 0;
-  /// Fraction of all directions in which the exponent Q_n rises at infinity
+  /// Fraction of all directions of the plane in which the exponent Q_n rises at infinity
   double rising_fraction = 0;
 };
 
-/// Directions in which Q_n is examined: the whole plane, or the half-plane cos theta >= 0.
-enum class DirectionSet { whole, half };
+/// Directions in which the exponent Q_n is examined: the whole plane, or the half-plane cos theta
+/// >= 0.
+enum class PlaneDirectionRange { whole, half };
 
 /// Determines the behaviour of the exponent Q_n at infinity along equiangular_directions().
-LeadingForm leading_form(const Polynomial& q, const StandardDeviations& sigma,
-                         DirectionSet plane = DirectionSet::whole);
+LeadingFormOfExponent leading_form(const ExponentPolynomial& q, const StandardDeviations& sigma,
+                                   PlaneDirectionRange plane = PlaneDirectionRange::whole);
 
 /// Determines the behaviour of the exponent Q_n at infinity along given directions of the unscaled
 /// plane.
 /// @param sigma unit of the radius in the result
 /// @pre there is at least one direction
-LeadingForm leading_form_along_directions(const Polynomial& q,
-                                          const std::vector<Direction>& directions, double sigma);
+LeadingFormOfExponent leading_form_along_directions(const ExponentPolynomial& q,
+                                                    const std::vector<PlaneDirection>& directions,
+                                                    double sigma);
 
-/// Returns a clause on the behaviour of Q_n at infinity, such as "although Q_n falls at infinity".
+/// Returns a clause of a sentence on the behaviour of the exponent Q_n at infinity, such as
+/// "although Q_n falls at infinity".
 /// @param plane name of the coordinates of the scaled plane, e.g. "(y, v) / deviations"
-std::string describe_leading_form(const LeadingForm& form, const std::string& plane);
+std::string describe_leading_form(const LeadingFormOfExponent& form, const std::string& plane);
 
 }  // namespace fpkcheck::epc

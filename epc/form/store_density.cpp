@@ -42,14 +42,14 @@ WallBalanceTerms balance_terms_of_walls(const problem::Problem& problem,
   const problem::System& system = problem.system;
   const auto &left = system.left_wall(), &right = system.right_wall();
   if (system.has_constant_restitution()) {
-    return {
-        .left_loss =
-            problem::impact_energy_loss_rate(left, impact, transform::impact_flux(density, 3)),
-        .right_loss = problem::impact_energy_loss_rate(right, impact,
-                                                       right_wall_flux_moment(problem, density, 3)),
-        .left_momentum = problem::impact_momentum_rate(left, transform::impact_flux(density, 2)),
-        .right_momentum =
-            problem::impact_momentum_rate(right, right_wall_flux_moment(problem, density, 2))};
+    return {.left_loss = problem::impact_energy_loss_rate(
+                left, impact, transform::flux_into_left_wall(density, 3)),
+            .right_loss = problem::impact_energy_loss_rate(
+                right, impact, right_wall_flux_moment(problem, density, 3)),
+            .left_momentum =
+                problem::impact_momentum_rate(left, transform::flux_into_left_wall(density, 2)),
+            .right_momentum =
+                problem::impact_momentum_rate(right, right_wall_flux_moment(problem, density, 2))};
   }
   const auto sum = [&](const std::optional<problem::Wall>& wall, double towards,
                        const auto& quantity) {
@@ -90,7 +90,7 @@ problem::PowerBalanceTerms power_balance_terms(const problem::Problem& problem,
   }
   if (problem.noise_factor) {
     terms.mean_square_noise_factor = transform::expectation(
-        density, [&](double y, double v) { return problem.noise_factor->squared(y, v); });
+        density, [&](double y, double v) { return problem.noise_factor->squared_factor(y, v); });
   }
   return terms;
 }
@@ -120,14 +120,14 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
     virial.mean_virial = mean([&](double y, double v) { return y * system.force(y, v); });
     momentum.mean_force = mean([&](double y, double v) { return system.force(y, v); });
   }
-  transform::BalanceResiduals residuals{.virial =
-                                            problem::virial_balance(problem, virial).residual()};
-  // Threshold of the momentum balance: without impacts the left and the right side may be 0, and
-  // the residual would be a rounding error.
+  transform::BalanceResiduals residuals{
+      .virial = problem::virial_balance(problem, virial).relative_residual()};
+  // Smallest scale of the momentum balance. Without impacts the left and the right side of this
+  // balance may be 0, and the residual would be a rounding error.
   constexpr double kRounding = 1e-9;
   const double force_unit = marginals.moments.v2 / std::sqrt(marginals.moments.y2);
   const problem::BalanceEquation balance = problem::momentum_balance(problem, momentum);
-  if (balance.scale > kRounding * force_unit) residuals.momentum = balance.residual();
+  if (balance.scale > kRounding * force_unit) residuals.momentum = balance.relative_residual();
   return residuals;
 }
 
@@ -141,7 +141,7 @@ transform::Moments physical_moments(const problem::WallFrame& frame,
     numerics::Polynomial::Coefficients power{};
     power[n] = 1;
     return mean_of_displacement_polynomial(
-        marginals, numerics::Polynomial(power).compose_affine(frame.origin, frame.sign()));
+        marginals, numerics::Polynomial(power).compose_affine(frame.origin, frame.velocity_sign()));
   };
   moments.y1 = mean_of_power(1);
   moments.y2 = mean_of_power(2);
@@ -153,10 +153,10 @@ transform::Moments physical_moments(const problem::WallFrame& frame,
 transform::QuadratureMarginals store_density(const problem::Problem& problem,
                                              problem::ImpactCondition impact,
                                              const transform::SmoothDensity& density,
-                                             Result& result,
+                                             ClosureResult& result,
                                              transform::QuadraturePanelSpacing panels) {
   transform::QuadratureMarginals marginals =
-      transform::quadrature_marginals(density, density.y_max, density.v_max, panels);
+      transform::marginals_at_quadrature_points(density, density.y_max, density.v_max, panels);
   auto& solution = result.solution;
   solution.density = density;
   solution.mass = marginals.mass;

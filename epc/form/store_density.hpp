@@ -14,7 +14,7 @@ namespace fpkcheck::epc {
 /// @return marginal densities
 transform::QuadratureMarginals store_density(
     const problem::Problem& problem, problem::ImpactCondition impact,
-    const transform::SmoothDensity& density, Result& result,
+    const transform::SmoothDensity& density, ClosureResult& result,
     transform::QuadraturePanelSpacing panels = transform::QuadraturePanelSpacing::uniform);
 
 /// Returns the moments of the physical coordinates y = origin + sign x and y' = sign x' from the

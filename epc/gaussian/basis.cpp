@@ -32,7 +32,8 @@ Eigen::MatrixXd power_derivatives(const Eigen::VectorXd& x, int degree, int j) {
 
 }  // namespace
 
-Basis::Basis(int order, MonomialSet set, const StandardDeviations& sigma)
+GaussianWeightedBasis::GaussianWeightedBasis(int order, MonomialSet set,
+                                             const StandardDeviations& sigma)
     : order_(order), set_(set), sigma_(sigma) {
   const int step = set == MonomialSet::point_symmetric ? 2 : 1;
   for (int m = step; m <= order; m += step) {
@@ -42,8 +43,8 @@ Basis::Basis(int order, MonomialSet set, const StandardDeviations& sigma)
   }
 }
 
-Eigen::MatrixXd Basis::column_products(const Eigen::MatrixXd& of_x1,
-                                       const Eigen::MatrixXd& of_x2) const {
+Eigen::MatrixXd GaussianWeightedBasis::column_products(const Eigen::MatrixXd& of_x1,
+                                                       const Eigen::MatrixXd& of_x2) const {
   Eigen::MatrixXd result(of_x1.rows(), size());
   for (Eigen::Index s = 0; s < size(); ++s) {
     const auto& [p, q, norm] = members_[s];
@@ -52,12 +53,13 @@ Eigen::MatrixXd Basis::column_products(const Eigen::MatrixXd& of_x1,
   return result;
 }
 
-Eigen::MatrixXd Basis::basis_values(const Eigen::VectorXd& x1, const Eigen::VectorXd& x2) const {
+Eigen::MatrixXd GaussianWeightedBasis::basis_values(const Eigen::VectorXd& x1,
+                                                    const Eigen::VectorXd& x2) const {
   return column_products(power_derivatives(x1, order_, 0), power_derivatives(x2, order_, 0));
 }
 
-BasisDerivatives Basis::basis_derivatives(const Eigen::VectorXd& x1,
-                                          const Eigen::VectorXd& x2) const {
+BasisDerivatives GaussianWeightedBasis::basis_derivatives(const Eigen::VectorXd& x1,
+                                                          const Eigen::VectorXd& x2) const {
   const Eigen::MatrixXd of_x1 = power_derivatives(x1, order_, 0);
   const auto in_x2 = [&](int j) {
     return column_products(of_x1, power_derivatives(x2, order_, j));
@@ -70,14 +72,14 @@ BasisDerivatives Basis::basis_derivatives(const Eigen::VectorXd& x1,
           .d2222 = in_x2(4)};
 }
 
-Eigen::VectorXd Basis::weighted_means() const {
+Eigen::VectorXd GaussianWeightedBasis::weighted_means() const {
   return Eigen::VectorXd::NullaryExpr(size(), [&](Eigen::Index s) {
     const auto& [p, q, norm] = members_[static_cast<std::size_t>(s)];
     return gaussian_moment(p, sigma_.x1) * gaussian_moment(q, sigma_.x2) / norm;
   });
 }
 
-Eigen::MatrixXd Basis::weighted_gram_matrix() const {
+Eigen::MatrixXd GaussianWeightedBasis::weighted_gram_matrix() const {
   return Eigen::MatrixXd::NullaryExpr(size(), size(), [&](Eigen::Index s, Eigen::Index k) {
     const auto &a = members_[static_cast<std::size_t>(s)],
                &b = members_[static_cast<std::size_t>(k)];
@@ -86,15 +88,17 @@ Eigen::MatrixXd Basis::weighted_gram_matrix() const {
   });
 }
 
-Polynomial Basis::exponent_polynomial(const Eigen::VectorXd& scaled_coefficients) const {
-  std::vector<Term> terms;
+ExponentPolynomial GaussianWeightedBasis::exponent_polynomial(
+    const Eigen::VectorXd& scaled_coefficients) const {
+  std::vector<ExponentMonomial> terms;
   for (Eigen::Index s = 0; s < size(); ++s) {
     terms.push_back({members_[s].p, members_[s].q, scaled_coefficients[s] / members_[s].norm});
   }
-  return Polynomial(std::move(terms));
+  return ExponentPolynomial(std::move(terms));
 }
 
-Eigen::VectorXd Basis::scaled_coefficients(const std::vector<Term>& terms) const {
+Eigen::VectorXd GaussianWeightedBasis::scaled_coefficients(
+    const std::vector<ExponentMonomial>& terms) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(size());
   for (Eigen::Index s = 0; s < size(); ++s) {
     for (const auto& [p, q, a] : terms) {
@@ -112,7 +116,7 @@ Eigen::VectorXd to_eigen_vector(const std::vector<double>& values) {
 
 }  // namespace
 
-void PlaneQuadratureRule::add_point(double at_x1, double at_x2, double weight) {
+void PlaneQuadratureRule::add_quadrature_point(double at_x1, double at_x2, double weight) {
   x1.push_back(at_x1);
   x2.push_back(at_x2);
   weights.push_back(weight);
@@ -125,22 +129,24 @@ PlaneQuadratureRule fold_point_symmetric_rule(const PlaneQuadratureRule& rule) {
   for (std::size_t i = 0; i < rule.weights.size(); ++i) {
     const int s1 = sign(rule.x1[i]), s2 = sign(rule.x2[i]);
     const int side = s1 != 0 ? s1 : s2;
-    if (side >= 0) half.add_point(rule.x1[i], rule.x2[i], (side > 0 ? 2 : 1) * rule.weights[i]);
+    if (side >= 0)
+      half.add_quadrature_point(rule.x1[i], rule.x2[i], (side > 0 ? 2 : 1) * rule.weights[i]);
   }
   return half;
 }
 
-ProjectionNodes::ProjectionNodes(const PlaneQuadratureRule& rule, const Basis& basis)
+GaussianProjectionNodes::GaussianProjectionNodes(const PlaneQuadratureRule& rule,
+                                                 const GaussianWeightedBasis& basis)
     : x1_(to_eigen_vector(rule.x1)),
       x2_(to_eigen_vector(rule.x2)),
       basis_(basis.basis_derivatives(x1_, x2_)),
       weighted_tests_(to_eigen_vector(rule.weights).asDiagonal() * basis_.value) {}
 
-std::vector<ExponentDerivatives> ProjectionNodes::exponent_derivatives(
+std::vector<ExponentPartialDerivatives> GaussianProjectionNodes::exponent_derivatives(
     const Eigen::VectorXd& a) const {
   const Eigen::VectorXd q1 = basis_.d1 * a, q2 = basis_.d2 * a, q22 = basis_.d22 * a,
                         q222 = basis_.d222 * a, q2222 = basis_.d2222 * a;
-  std::vector<ExponentDerivatives> result;
+  std::vector<ExponentPartialDerivatives> result;
   result.reserve(static_cast<std::size_t>(size()));
   for (Eigen::Index i = 0; i < size(); ++i) {
     result.push_back({q1[i], q2[i], q22[i], q222[i], q2222[i]});
@@ -148,28 +154,30 @@ std::vector<ExponentDerivatives> ProjectionNodes::exponent_derivatives(
   return result;
 }
 
-Eigen::VectorXd ProjectionNodes::project_on_basis(const Eigen::VectorXd& values) const {
+Eigen::VectorXd GaussianProjectionNodes::project_on_basis_functions(
+    const Eigen::VectorXd& values) const {
   return weighted_tests_.transpose() * values;
 }
 
-Eigen::MatrixXd ProjectionNodes::project_on_basis(const Eigen::MatrixXd& values) const {
+Eigen::MatrixXd GaussianProjectionNodes::project_on_basis_functions(
+    const Eigen::MatrixXd& values) const {
   return weighted_tests_.transpose() * values;
 }
 
-Eigen::MatrixXd ProjectionNodes::project_gradients_on_basis(
-    const std::vector<ExponentDerivatives>& gradients) const {
+Eigen::MatrixXd GaussianProjectionNodes::project_gradients_on_basis(
+    const std::vector<ExponentPartialDerivatives>& gradients) const {
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(size(), basis_.value.cols());
-  const auto add = [&](double ExponentDerivatives::*part, const Eigen::MatrixXd& members) {
+  const auto add = [&](double ExponentPartialDerivatives::*part, const Eigen::MatrixXd& members) {
     Eigen::VectorXd factor(size());
     for (Eigen::Index i = 0; i < size(); ++i) factor[i] = gradients[i].*part;
     if (!factor.isZero(0)) rows += factor.asDiagonal() * members;
   };
-  add(&ExponentDerivatives::q1, basis_.d1);
-  add(&ExponentDerivatives::q2, basis_.d2);
-  add(&ExponentDerivatives::q22, basis_.d22);
-  add(&ExponentDerivatives::q222, basis_.d222);
-  add(&ExponentDerivatives::q2222, basis_.d2222);
-  return project_on_basis(rows);
+  add(&ExponentPartialDerivatives::q1, basis_.d1);
+  add(&ExponentPartialDerivatives::q2, basis_.d2);
+  add(&ExponentPartialDerivatives::q22, basis_.d22);
+  add(&ExponentPartialDerivatives::q222, basis_.d222);
+  add(&ExponentPartialDerivatives::q2222, basis_.d2222);
+  return project_on_basis_functions(rows);
 }
 
 }  // namespace fpkcheck::epc::gaussian

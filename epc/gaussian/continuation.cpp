@@ -10,11 +10,11 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-using numerics::CurvePoint;
+using numerics::ContinuationTermination;
 using numerics::Homotopy;
 using numerics::NewtonResult;
 using numerics::SolutionCurve;
-using numerics::TerminationReason;
+using numerics::SolutionCurvePoint;
 
 constexpr int kMaxPoints = 120;
 constexpr int kPolishing = 30;  // largest number of Newton steps at the end of a curve
@@ -26,12 +26,13 @@ double absolute_moment(double m, double sigma) {
 }
 
 // Returns the exponent -(c/D2) (x2^2/2 + U(|x1|)) of the exact density under white noise with
-// elastic impacts. For an even power a y^m of the force, U(|x1|) is not a polynomial. A linear
-// force replaces the even power, with the mean slope E[a m |x1|^(m-1)] of this power.
-std::vector<Term> elastic_white_noise_exponent(const ResidualCoefficients& f,
-                                               const StandardDeviations& sigma) {
+// elastic impacts. For an even power a y^m of the restoring force, the potential U(|x1|) is not a
+// polynomial. A linear force replaces the even power, with the mean slope E[a m |x1|^(m-1)] of this
+// power.
+std::vector<ExponentMonomial> elastic_white_noise_exponent(const ResidualCoefficients& f,
+                                                           const StandardDeviations& sigma) {
   const double beta = f.damping / (f.rate_times_moment[2] / 2);
-  std::vector<Term> terms{{0, 2, -beta / 2}};
+  std::vector<ExponentMonomial> terms{{0, 2, -beta / 2}};
   for (int m = 0; m < static_cast<int>(numerics::Polynomial::kDegree); ++m) {
     const double odd = f.odd_force.coefficient(m), even = f.even_force.coefficient(m);
     if (odd != 0) terms.push_back({m + 1, 0, -beta * odd / (m + 1)});
@@ -43,7 +44,7 @@ std::vector<Term> elastic_white_noise_exponent(const ResidualCoefficients& f,
 }
 
 // Returns the homotopy of the branch: the residual R with homotopy_coefficients(), in units of
-// residual_unit(). The residual is linear in the fraction.
+// projected_residual_unit(). The homotopy residual is linear in the fraction of the full problem.
 Homotopy solution_branch_homotopy(const ProjectedEquations& projection,
                                   const ResidualCoefficients& full, double unit) {
   return {
@@ -63,24 +64,24 @@ Homotopy solution_branch_homotopy(const ProjectedEquations& projection,
 
 SolutionBranchEnd branch_end_of(const SolutionCurve& curve) {
   switch (curve.end) {
-    case TerminationReason::end_reached:
+    case ContinuationTermination::end_reached:
       return SolutionBranchEnd::full_problem;
-    case TerminationReason::fell_back:
+    case ContinuationTermination::fell_back:
       return SolutionBranchEnd::white_noise;
-    case TerminationReason::diverged:
+    case ContinuationTermination::diverged:
       return SolutionBranchEnd::far_away;
-    case TerminationReason::step_underflow:
-    case TerminationReason::limit_exceeded:
+    case ContinuationTermination::step_underflow:
+    case ContinuationTermination::limit_exceeded:
       break;
   }
   return SolutionBranchEnd::lost;
 }
 
 SolutionBranch solution_branch_of(const SolutionCurve& curve, const Homotopy& family,
-                                  const Basis& basis) {
+                                  const GaussianWeightedBasis& basis) {
   SolutionBranch branch{
       .end = branch_end_of(curve), .furthest = curve.point_with_largest_t().t, .points = {}};
-  for (const CurvePoint& point : curve.points) {
+  for (const SolutionCurvePoint& point : curve.points) {
     const auto singularity_indicators =
         numerics::singularity_indicators(family.jacobian(point.a, point.t));
     branch.points.push_back(
@@ -95,10 +96,10 @@ SolutionBranch solution_branch_of(const SolutionCurve& curve, const Homotopy& fa
   return branch;
 }
 
-NewtonResult root_at_curve_end(const SolutionCurve& curve, const CurvePoint& last,
+NewtonResult root_at_curve_end(const SolutionCurve& curve, const SolutionCurvePoint& last,
                                const ProjectedEquations& projection,
                                const ResidualCoefficients& there, double tolerance) {
-  const bool end_reached = curve.end == TerminationReason::end_reached;
+  const bool end_reached = curve.end == ContinuationTermination::end_reached;
   NewtonResult root = solve_by_newton(
       projection, there, last.a,
       {.tolerance = tolerance, .max_iterations = end_reached ? kPolishing : 0, .damped = false});
@@ -111,7 +112,7 @@ NewtonResult root_at_curve_end(const SolutionCurve& curve, const CurvePoint& las
 
 SolutionBranchAndRoot follow_solution_branch(const ProjectedEquations& projection,
                                              const ResidualCoefficients& full, double tolerance) {
-  const Basis& basis = projection.basis();
+  const GaussianWeightedBasis& basis = projection.basis();
   const Eigen::VectorXd exact =
       basis.scaled_coefficients(elastic_white_noise_exponent(full, basis.sigma()));
   const NewtonResult start = solve_by_newton(projection, homotopy_coefficients(full, 0), exact,
@@ -120,10 +121,10 @@ SolutionBranchAndRoot follow_solution_branch(const ProjectedEquations& projectio
     return {{.end = SolutionBranchEnd::lost, .furthest = 0, .points = {}}, start};
 
   const Homotopy family =
-      solution_branch_homotopy(projection, full, residual_unit(projection, full));
+      solution_branch_homotopy(projection, full, projected_residual_unit(projection, full));
   const SolutionCurve curve = numerics::trace_solution_curve(
       family, start.a, {.tolerance = tolerance, .max_points = kMaxPoints});
-  const CurvePoint& last = curve.point_with_largest_t();
+  const SolutionCurvePoint& last = curve.point_with_largest_t();
   NewtonResult root =
       root_at_curve_end(curve, last, projection, homotopy_coefficients(full, last.t), tolerance);
   root.iterations += start.iterations;
@@ -133,7 +134,7 @@ SolutionBranchAndRoot follow_solution_branch(const ProjectedEquations& projectio
 NewtonResult follow_newton_homotopy(const ProjectedEquations& projection,
                                     const ResidualCoefficients& f, const Eigen::VectorXd& start,
                                     double tolerance) {
-  const double unit = residual_unit(projection, f);
+  const double unit = projected_residual_unit(projection, f);
   const Homotopy family = numerics::newton_homotopy(
       [&](const Eigen::VectorXd& a) -> Eigen::VectorXd { return projection.residual(f, a) / unit; },
       [&](const Eigen::VectorXd& a) -> Eigen::MatrixXd { return projection.jacobian(f, a) / unit; },

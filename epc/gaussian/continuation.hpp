@@ -7,21 +7,21 @@ namespace fpkcheck::epc::gaussian {
 
 struct SolutionBranchAndRoot {
   SolutionBranch branch;
-  /// Root of the full problem. If the branch does not reach fraction 1, this member is the
-  /// unconverged iterate at the largest fraction.
+  /// Root of the full problem. If the solution branch does not reach fraction 1, the stored root is
+  /// the unconverged iterate at the largest fraction.
   numerics::NewtonResult root;
 };
 
 /// Follows a branch of solutions of (23) by pseudo-arclength continuation, also past folds. The
 /// branch leads from the exact density under white noise with elastic impacts to the full problem
-/// (homotopy_coefficients()). If the force has even powers, the branch starts from an approximation
-/// of this exact density.
+/// (homotopy_coefficients()). If the restoring force has even powers, the solution branch starts
+/// from an approximation of the exact density.
 SolutionBranchAndRoot follow_solution_branch(const ProjectedEquations& projection,
                                              const ResidualCoefficients& full, double tolerance);
 
-/// Follows Newton's homotopy from a start to a root of the projected equations. The result has not
-/// converged if the homotopy does not reach its end.
-/// @param start root of the equations of order n-2
+/// Follows Newton's homotopy from a start to a root of the projected equations. If Newton's
+/// homotopy does not reach its end, the returned result has not converged.
+/// @param start root of the equations of closure order n-2
 numerics::NewtonResult follow_newton_homotopy(const ProjectedEquations& projection,
                                               const ResidualCoefficients& f,
                                               const Eigen::VectorXd& start, double tolerance);

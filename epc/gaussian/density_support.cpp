@@ -18,7 +18,7 @@ namespace {
 constexpr double kCoreRadius = 2;
 constexpr int kRadialPanels = 6;
 
-double minimum_between(const RadialPolynomial& slope, double low, double high) {
+double minimum_between(const PolynomialAlongRay& slope, double low, double high) {
   for (int i = 0; i < 60; ++i) {
     const double middle = (low + high) / 2;
     (evaluate_polynomial(slope, middle) < 0 ? low : high) = middle;
@@ -28,7 +28,7 @@ double minimum_between(const RadialPolynomial& slope, double low, double high) {
 
 // Returns the radius between `low` and `high` at which the exponent Q_n equals `level`, by Newton's
 // method with bracketing.
-double crossing_between(const RadialPolynomial& q, const RadialPolynomial& slope, double level,
+double crossing_between(const PolynomialAlongRay& q, const PolynomialAlongRay& slope, double level,
                         double low, double high) {
   double at = (low + high) / 2;
   for (int i = 0; i < 60; ++i) {
@@ -41,20 +41,20 @@ double crossing_between(const RadialPolynomial& q, const RadialPolynomial& slope
   return at;
 }
 
-struct EdgeOnRay {
+struct DensityEdgeOnRay {
   double radius;
   double peak;  // largest exponent Q_n at radii below the edge
 };
 
-// Applies rules (a) to (c) of DensitySupport along one direction.
-EdgeOnRay edge_on_ray(const RadialPolynomial& q, double core_peak) {
-  const RadialPolynomial slope = derivative_coefficients(q);
+// Finds the edge of the support along one direction, by the rules (a) to (c) of DensitySupport.
+DensityEdgeOnRay edge_on_ray(const PolynomialAlongRay& q, double core_peak) {
+  const PolynomialAlongRay slope = derivative_coefficients(q);
   const double negligible = core_peak + std::log(DensitySupport::kNegligible);
-  const double allowed = core_peak + std::log(kEdgeDensityLimit);
+  const double allowed = core_peak + std::log(kMaxSupportEdgeDensity);
   double lowest = 0, value_there = evaluate_polynomial(q, 0), peak = value_there, peak_there = peak;
   double slope_here = evaluate_polynomial(slope, 0);
-  for (double rho = 0; rho < kLargestRadius; rho += kRadialStep) {
-    const double next = rho + kRadialStep;
+  for (double rho = 0; rho < kLargestRayRadius; rho += kRayScanStep) {
+    const double next = rho + kRayScanStep;
     const double value_next = evaluate_polynomial(q, next),
                  slope_next = evaluate_polynomial(slope, next);
     if (rho > kCoreRadius && value_next > core_peak) break;
@@ -78,19 +78,19 @@ EdgeOnRay edge_on_ray(const RadialPolynomial& q, double core_peak) {
 
 }  // namespace
 
-DensitySupport::DensitySupport(const Polynomial& q, const StandardDeviations& sigma)
+DensitySupport::DensitySupport(const ExponentPolynomial& q, const StandardDeviations& sigma)
     : sigma_(sigma) {
   const std::size_t distinct = distinct_direction_count(q);
-  std::vector<RadialPolynomial> rays;
+  std::vector<PolynomialAlongRay> rays;
   double core_peak = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < distinct; ++k) {
-    rays.push_back(radial_polynomial(q, sigma, equiangular_directions()[k]));
-    for (double rho = 0; rho <= kCoreRadius; rho += kRadialStep) {
+    rays.push_back(polynomial_along_ray(q, sigma, equiangular_directions()[k]));
+    for (double rho = 0; rho <= kCoreRadius; rho += kRayScanStep) {
       core_peak = std::max(core_peak, evaluate_polynomial(rays.back(), rho));
     }
   }
   peak_ = -std::numeric_limits<double>::infinity();
-  for (const RadialPolynomial& along : rays) {
+  for (const PolynomialAlongRay& along : rays) {
     const auto [radius, peak] = edge_on_ray(along, core_peak);
     radius_.push_back(radius);
     peak_ = std::max(peak_, peak);
@@ -100,7 +100,7 @@ DensitySupport::DensitySupport(const Polynomial& q, const StandardDeviations& si
   compute_integrals(rays);
 }
 
-void DensitySupport::compute_integrals(const std::vector<RadialPolynomial>& rays) {
+void DensitySupport::compute_integrals(const std::vector<PolynomialAlongRay>& rays) {
   for (std::size_t k = 0; k < radius_.size(); ++k) {
     const double radius = radius_[k];
     sector_.push_back(std::min(radius, radius_[(k + 1) % radius_.size()]));
@@ -128,7 +128,8 @@ void DensitySupport::compute_integrals(const std::vector<RadialPolynomial>& rays
   const double element =
       sigma_.x1 * sigma_.x2 * 2 * std::numbers::pi / static_cast<double>(rays.size());
   integral_ = sum * element;
-  // The estimate uses int_R^inf exp(-(rho^2 - R^2)/2) rho drho = 1.
+  // The estimate of the probability outside the support uses int_R^inf exp(-(rho^2 - R^2)/2) rho
+  // drho = 1, with the radius R of the edge.
   cut_off_ = edge_sum / sum;
 }
 
@@ -148,13 +149,13 @@ double log_normalising_constant(const DensitySupport& support) {
   return -support.peak_exponent() - std::log(support.integral_relative_to_peak());
 }
 
-transform::SmoothDensity density_from_exponent(const Polynomial& q, const DensitySupport& support,
-                                               double log_constant) {
+transform::SmoothDensity density_from_exponent(const ExponentPolynomial& q,
+                                               const DensitySupport& support, double log_constant) {
   const auto plane = [q, support, log_constant](double x1, double x2) {
     return support.contains(x1, x2) ? std::exp(q(x1, x2) + log_constant) : 0;
   };
-  const bool even =
-      std::ranges::all_of(q.terms(), [](const Term& t) { return (t.x1 + t.x2) % 2 == 0; });
+  const bool even = std::ranges::all_of(
+      q.terms(), [](const ExponentMonomial& t) { return (t.x1 + t.x2) % 2 == 0; });
   if (even) {  // the two points (z, z') and (-z, -z') of paper (5) have equal densities
     return {[plane](double y, double v) { return 2 * plane(y, v); }, support.x1_max(),
             support.x2_max()};
@@ -163,8 +164,8 @@ transform::SmoothDensity density_from_exponent(const Polynomial& q, const Densit
       {.value = plane, .x1_max = support.x1_max(), .x2_max = support.x2_max()});
 }
 
-transform::SmoothDensity density_without_wall(const Polynomial& q, const DensitySupport& support,
-                                              double log_constant) {
+transform::SmoothDensity density_without_wall(const ExponentPolynomial& q,
+                                              const DensitySupport& support, double log_constant) {
   return {.value =
               [q, support, log_constant](double y, double v) {
                 return support.contains(y, v) ? std::exp(q(y, v) + log_constant) : 0;
@@ -174,8 +175,8 @@ transform::SmoothDensity density_without_wall(const Polynomial& q, const Density
           .y_min = -support.x1_max()};
 }
 
-transform::SmoothDensity density_on_support(const Polynomial& q, const DensitySupport& support,
-                                            bool has_wall) {
+transform::SmoothDensity density_on_support(const ExponentPolynomial& q,
+                                            const DensitySupport& support, bool has_wall) {
   const double log_constant = log_normalising_constant(support);
   return has_wall ? density_from_exponent(q, support, log_constant)
                   : density_without_wall(q, support, log_constant);

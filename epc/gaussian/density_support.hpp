@@ -11,35 +11,36 @@ namespace fpkcheck::epc::gaussian {
 /// direction the set ends at the first of these radii:
 ///  - (a) the radius at which the density has fallen to kNegligible of its peak;
 ///  - (b) the radius of a minimum of the exponent Q_n at which the density is below
-///    kEdgeDensityLimit of its peak;
+///    kMaxSupportEdgeDensity of its peak;
 ///  - (c) the radius at which the exponent Q_n is smallest before the exponent Q_n exceeds its peak
-///    again, up to kLargestRadius deviations of the weights (25)-(26).
+///    again, up to kLargestRayRadius deviations of the weights (25)-(26).
 /// A shallow minimum of the exponent Q_n in the bulk of the density is therefore not an edge of the
-/// support. If condition (19) is violated, the set ends before the exponent Q_n rises.
+/// support. If condition (19) of the paper is violated, the support ends before the exponent Q_n
+/// rises.
 class DensitySupport {
  public:
   static constexpr double kNegligible = 1e-14;
 
-  DensitySupport(const Polynomial& q, const StandardDeviations& sigma);
+  DensitySupport(const ExponentPolynomial& q, const StandardDeviations& sigma);
 
   bool contains(double x1, double x2) const;
-  /// Smallest radius of the edge in the scaled plane (x1/sigma_1, x2/sigma_2).
+  /// Smallest radius of the edge of the support, in the scaled plane (x1/sigma_1, x2/sigma_2).
   double smallest_support_radius() const { return least_radius_; }
   double largest_support_radius() const { return greatest_radius_; }
   double x1_max() const { return x1_max_; }
   double x2_max() const { return x2_max_; }
 
   double peak_exponent() const { return peak_; }
-  /// Integral of exp(Q_n - peak_exponent()) over the set.
+  /// Integral of exp(Q_n - peak_exponent()) over the support of the density.
   double integral_relative_to_peak() const { return integral_; }
   double edge_density_ratio() const { return edge_ratio_; }
   /// Estimated probability outside the set, relative to the probability inside: sigma_1 sigma_2
-  /// oint p(edge) dtheta. The estimate assumes that the density decays beyond the edge like the
-  /// weights (25)-(26).
+  /// oint p(edge) dtheta. This estimate assumes that the density decays beyond the edge of the
+  /// support like the Gaussian weights (25)-(26) of the paper.
   double cut_off_probability() const { return cut_off_; }
 
  private:
-  void compute_integrals(const std::vector<RadialPolynomial>& rays);
+  void compute_integrals(const std::vector<PolynomialAlongRay>& rays);
 
   StandardDeviations sigma_;
   std::vector<double> radius_;  // radius of the edge in each direction of equiangular_directions()
@@ -53,15 +54,15 @@ class DensitySupport {
 double log_normalising_constant(const DensitySupport& support);
 
 /// Returns the density of (y, y') from the density C exp(Q_n) in the (z, z') plane, by paper (5).
-transform::SmoothDensity density_from_exponent(const Polynomial& q, const DensitySupport& support,
-                                               double log_constant);
+transform::SmoothDensity density_from_exponent(const ExponentPolynomial& q,
+                                               const DensitySupport& support, double log_constant);
 
 /// Returns the density C exp(Q_n) of (y, v) for a problem without a wall.
-transform::SmoothDensity density_without_wall(const Polynomial& q, const DensitySupport& support,
-                                              double log_constant);
+transform::SmoothDensity density_without_wall(const ExponentPolynomial& q,
+                                              const DensitySupport& support, double log_constant);
 
 /// Returns the normalised density of a problem with or without a wall.
-transform::SmoothDensity density_on_support(const Polynomial& q, const DensitySupport& support,
-                                            bool has_wall);
+transform::SmoothDensity density_on_support(const ExponentPolynomial& q,
+                                            const DensitySupport& support, bool has_wall);
 
 }  // namespace fpkcheck::epc::gaussian

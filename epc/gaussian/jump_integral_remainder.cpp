@@ -69,8 +69,8 @@ QuadratureRule piecewise_impulse_quadrature_rule(const problem::ImpulseLaw& law)
     points.push_back(amplitude);
     probabilities.push_back(probability);
   };
-  for (const auto& [amplitude, probability] : law.atoms()) add(amplitude, probability);
-  const std::vector<double> pieces = law.density_breakpoints();
+  for (const auto& [amplitude, probability] : law.amplitude_atoms()) add(amplitude, probability);
+  const std::vector<double> pieces = law.amplitude_density_breakpoints();
   for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
     const double from = pieces[i], to = pieces[i + 1];
     const int panels = static_cast<int>(std::ceil((to - from) / law.deviation()));
@@ -84,12 +84,12 @@ QuadratureRule piecewise_impulse_quadrature_rule(const problem::ImpulseLaw& law)
 
 namespace {
 
-// Number of ten-point panels in the radius and in the angle of a half-disc.
+// Number of quadrature panels with ten points in the radius and in the angle of a half-disc.
 constexpr int kPanels = 3;
 constexpr int kJumpPoints = 20;
 
 // Returns a quadrature rule with the weights f1 f2 on two half-discs, each with one sign of x1. For
-// a point-symmetric integrand the rule uses one half-disc with doubled weights.
+// a point-symmetric integrand the quadrature rule uses one half-disc with doubled weights.
 PlaneQuadratureRule disc_rule(const StandardDeviations& sigma, double radius, bool symmetric) {
   const double half_turn = std::numbers::pi / 2;
   PlaneQuadratureRule rule;
@@ -98,8 +98,8 @@ PlaneQuadratureRule disc_rule(const StandardDeviations& sigma, double radius, bo
     for (const auto& [angle, width] :
          numerics::composite_gauss_points(-half_turn, half_turn, kPanels)) {
       const double x1 = sigma.x1 * rho * std::cos(angle), x2 = sigma.x2 * rho * std::sin(angle);
-      rule.add_point(x1, x2, (symmetric ? 2 : 1) * ring * width);
-      if (!symmetric) rule.add_point(-x1, -x2, ring * width);
+      rule.add_quadrature_point(x1, x2, (symmetric ? 2 : 1) * ring * width);
+      if (!symmetric) rule.add_quadrature_point(-x1, -x2, ring * width);
     }
   }
   return rule;
@@ -113,7 +113,7 @@ RateTimesMoments series_terms(const problem::ImpulseTrain& impulses) {
 
 }  // namespace
 
-JumpIntegralRemainder::JumpIntegralRemainder(const Basis& basis,
+JumpIntegralRemainder::JumpIntegralRemainder(const GaussianWeightedBasis& basis,
                                              const problem::ImpulseTrain& impulses, double radius)
     : rate_(impulses.arrival_rate()),
       series_(series_terms(impulses)),
@@ -128,7 +128,7 @@ JumpIntegralRemainder::JumpIntegralRemainder(const Basis& basis,
     for (Eigen::Index j = 0; j < jumps_; ++j) {
       const Eigen::Index row = i * jumps_ + j;
       x1[row] = nodes_.x1(i);
-      x2[row] = nodes_.x2(i) - sign_of_x1(i) * law.points[j];
+      x2[row] = nodes_.x2(i) - sign_of_node_x1(i) * law.points[j];
       const bool reached = std::hypot(x1[row] / sigma1, x2[row] / sigma2) < radius + kJumpMargin;
       jump_weights_[row] = reached ? law.weights[j] : 0;
     }
@@ -146,13 +146,13 @@ Eigen::VectorXd JumpIntegralRemainder::weighted_jump_density_ratios(
 
 Eigen::VectorXd JumpIntegralRemainder::projected_remainder(const Eigen::VectorXd& a) const {
   const Eigen::VectorXd weighted = weighted_jump_density_ratios(a);
-  const std::vector<ExponentDerivatives> q = nodes_.exponent_derivatives(a);
-  return nodes_.project_on_basis(Eigen::VectorXd::NullaryExpr(nodes_.size(), [&](Eigen::Index i) {
-                                   const double expectation =
-                                       weighted.segment(i * jumps_, jumps_).sum();
-                                   return rate_ * (expectation - 1) -
-                                          kramers_moyal_residual_part(series_, sign_of_x1(i), q[i]);
-                                 }).eval());
+  const std::vector<ExponentPartialDerivatives> q = nodes_.exponent_derivatives(a);
+  return nodes_.project_on_basis_functions(
+      Eigen::VectorXd::NullaryExpr(nodes_.size(), [&](Eigen::Index i) {
+        const double expectation = weighted.segment(i * jumps_, jumps_).sum();
+        return rate_ * (expectation - 1) -
+               kramers_moyal_residual_part(series_, sign_of_node_x1(i), q[i]);
+      }).eval());
 }
 
 Eigen::MatrixXd JumpIntegralRemainder::jacobian(const Eigen::VectorXd& a) const {
@@ -162,10 +162,10 @@ Eigen::MatrixXd JumpIntegralRemainder::jacobian(const Eigen::VectorXd& a) const 
     rows.row(i).noalias() = rate_ * weighted.segment(i * jumps_, jumps_).transpose() *
                             increments_.middleRows(i * jumps_, jumps_);
   }
-  std::vector<ExponentDerivatives> series = nodes_.exponent_derivatives(a);
+  std::vector<ExponentPartialDerivatives> series = nodes_.exponent_derivatives(a);
   for (Eigen::Index i = 0; i < nodes_.size(); ++i)
-    series[i] = kramers_moyal_residual_gradient(series_, sign_of_x1(i), series[i]);
-  return nodes_.project_on_basis(rows) - nodes_.project_gradients_on_basis(series);
+    series[i] = kramers_moyal_residual_gradient(series_, sign_of_node_x1(i), series[i]);
+  return nodes_.project_on_basis_functions(rows) - nodes_.project_gradients_on_basis(series);
 }
 
 }  // namespace fpkcheck::epc::gaussian

@@ -11,8 +11,8 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// Degree in x1 and in x2 of the product of a part of F and a projection function. The derivative
-// Q_2 has degree n-1, and the force has at most degree 5.
+// Degree in x1 and in x2 of the product of a part of the residual F and a projection function. The
+// derivative of the exponent in x2 has degree n-1, and the restoring force has at most degree 5.
 constexpr int kForceDegree = numerics::Polynomial::kDegree - 1;
 int smooth_integrand_degree(int n) { return std::max(4 * (n - 1), kForceDegree + n - 1) + n; }
 int signed_integrand_degree(int n) { return std::max(3 * (n - 1), kForceDegree - 1 + n - 1) + n; }
@@ -24,8 +24,8 @@ PlaneQuadratureRule product_rule(const numerics::QuadratureRule& u1,
   PlaneQuadratureRule rule;
   for (std::size_t i = 0; i < u1.points.size(); ++i) {
     for (std::size_t j = 0; j < u2.points.size(); ++j) {
-      rule.add_point(sigma.x1 * u1.points[i], sigma.x2 * u2.points[j],
-                     u1.weights[i] * u2.weights[j]);
+      rule.add_quadrature_point(sigma.x1 * u1.points[i], sigma.x2 * u2.points[j],
+                                u1.weights[i] * u2.weights[j]);
     }
   }
   return rule;
@@ -38,30 +38,32 @@ PlaneQuadratureRule wall_line_rule(const numerics::QuadratureRule& absolute,
   const double at_wall = 1 / (std::sqrt(2 * std::numbers::pi) * sigma.x1);
   PlaneQuadratureRule rule;
   for (std::size_t j = 0; j < absolute.points.size(); ++j) {
-    rule.add_point(0, sigma.x2 * absolute.points[j], at_wall * sigma.x2 * absolute.weights[j]);
+    rule.add_quadrature_point(0, sigma.x2 * absolute.points[j],
+                              at_wall * sigma.x2 * absolute.weights[j]);
   }
   return rule;
 }
 
-// Returns the nodes of a quadrature rule. If Q_n is even under (x1, x2) -> (-x1, -x2), the residual
-// F is even, and half of the nodes suffice.
-ProjectionNodes projection_nodes(const PlaneQuadratureRule& rule, const Basis& basis) {
+// Returns the nodes of a quadrature rule. If the exponent Q_n is even under (x1, x2) -> (-x1, -x2),
+// the residual F of paper (22) is even, and half of the quadrature nodes suffice.
+GaussianProjectionNodes projection_nodes(const PlaneQuadratureRule& rule,
+                                         const GaussianWeightedBasis& basis) {
   const bool even = basis.monomial_set() == MonomialSet::point_symmetric;
   return {even ? fold_point_symmetric_rule(rule) : rule, basis};
 }
 
 template <class Part>
-Eigen::VectorXd values_at_nodes(const ProjectionNodes& nodes, const Eigen::VectorXd& a,
+Eigen::VectorXd values_at_nodes(const GaussianProjectionNodes& nodes, const Eigen::VectorXd& a,
                                 const Part& part) {
-  const std::vector<ExponentDerivatives> q = nodes.exponent_derivatives(a);
+  const std::vector<ExponentPartialDerivatives> q = nodes.exponent_derivatives(a);
   return Eigen::VectorXd::NullaryExpr(nodes.size(), [&](Eigen::Index i) { return part(i, q[i]); });
 }
 
 template <class Gradient>
-std::vector<ExponentDerivatives> gradients_at_nodes(const ProjectionNodes& nodes,
-                                                    const Eigen::VectorXd& a,
-                                                    const Gradient& gradient) {
-  std::vector<ExponentDerivatives> q = nodes.exponent_derivatives(a);
+std::vector<ExponentPartialDerivatives> gradients_at_nodes(const GaussianProjectionNodes& nodes,
+                                                           const Eigen::VectorXd& a,
+                                                           const Gradient& gradient) {
+  std::vector<ExponentPartialDerivatives> q = nodes.exponent_derivatives(a);
   for (Eigen::Index i = 0; i < nodes.size(); ++i) q[i] = gradient(i, q[i]);
   return q;
 }
@@ -73,7 +75,8 @@ bool has_signed_part(const ResidualCoefficients& f) {
 
 }  // namespace
 
-ProjectedEquations::ProjectedEquations(Basis basis, std::optional<ProjectedFormulas> formulas)
+ProjectedEquations::ProjectedEquations(GaussianWeightedBasis basis,
+                                       std::optional<ProjectedFormulas> formulas)
     : basis_(std::move(basis)),
       smooth_(projection_nodes(
           product_rule(numerics::gauss_hermite_rule(smooth_integrand_degree(basis_.order())),
@@ -92,8 +95,8 @@ ProjectedEquations::ProjectedEquations(Basis basis, std::optional<ProjectedFormu
                                basis_)),
       formulas_(std::move(formulas)) {}
 
-ProjectedEquations::ProjectedEquations(Basis basis, const problem::ImpulseTrain& impulses,
-                                       double jump_radius,
+ProjectedEquations::ProjectedEquations(GaussianWeightedBasis basis,
+                                       const problem::ImpulseTrain& impulses, double jump_radius,
                                        std::optional<ProjectedFormulas> formulas)
     : ProjectedEquations(std::move(basis), std::move(formulas)) {
   jump_.emplace(basis_, impulses, jump_radius);
@@ -116,24 +119,24 @@ Eigen::MatrixXd ProjectedEquations::jacobian(const ResidualCoefficients& f,
 Eigen::VectorXd ProjectedEquations::residual_without_formulas(const ResidualCoefficients& f,
                                                               const Eigen::VectorXd& a) const {
   if (!f.folded) {
-    return smooth_.project_on_basis(
-        values_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
+    return smooth_.project_on_basis_functions(
+        values_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentPartialDerivatives& q) {
           return residual_without_wall(f, smooth_.x1(i), smooth_.x2(i), q);
         }));
   }
-  Eigen::VectorXd result = smooth_.project_on_basis(
-      values_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
+  Eigen::VectorXd result = smooth_.project_on_basis_functions(
+      values_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentPartialDerivatives& q) {
         return smooth_residual_part(f, smooth_.x1(i), smooth_.x2(i), q);
       }));
   if (has_signed_part(f)) {
-    result += signed_.project_on_basis(
-        values_at_nodes(signed_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
+    result += signed_.project_on_basis_functions(
+        values_at_nodes(signed_, a, [&](Eigen::Index i, const ExponentPartialDerivatives& q) {
           return signed_residual_part(f, signed_.x1(i), q);
         }));
   }
   if (f.jump_fraction != 0) result += f.jump_fraction * jump_.value().projected_remainder(a);
-  return result + impact_.project_on_basis(values_at_nodes(
-                      impact_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
+  return result + impact_.project_on_basis_functions(values_at_nodes(
+                      impact_, a, [&](Eigen::Index i, const ExponentPartialDerivatives& q) {
                         return impact_residual_part(f, impact_.x2(i), q);
                       }));
 }
@@ -142,23 +145,23 @@ Eigen::MatrixXd ProjectedEquations::jacobian_without_formulas(const ResidualCoef
                                                               const Eigen::VectorXd& a) const {
   if (!f.folded) {
     return smooth_.project_gradients_on_basis(
-        gradients_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
+        gradients_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentPartialDerivatives& q) {
           return residual_without_wall_gradient(f, smooth_.x1(i), smooth_.x2(i), q);
         }));
   }
   Eigen::MatrixXd result = smooth_.project_gradients_on_basis(
-      gradients_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
+      gradients_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentPartialDerivatives& q) {
         return smooth_residual_gradient(f, smooth_.x1(i), smooth_.x2(i), q);
       }));
   if (has_signed_part(f)) {
     result += signed_.project_gradients_on_basis(
-        gradients_at_nodes(signed_, a, [&](Eigen::Index i, const ExponentDerivatives& q) {
+        gradients_at_nodes(signed_, a, [&](Eigen::Index i, const ExponentPartialDerivatives& q) {
           return signed_residual_gradient(f, signed_.x1(i), q);
         }));
   }
   if (f.jump_fraction != 0) result += f.jump_fraction * jump_.value().jacobian(a);
   return result + impact_.project_gradients_on_basis(gradients_at_nodes(
-                      impact_, a, [&](Eigen::Index i, const ExponentDerivatives&) {
+                      impact_, a, [&](Eigen::Index i, const ExponentPartialDerivatives&) {
                         return impact_residual_gradient(f, impact_.x2(i));
                       }));
 }
@@ -188,7 +191,7 @@ struct NewtonEquations {
   }
   double step_fraction(const Iterate& here, const Step& step) const {
     const double before = here.residual.norm();
-    return numerics::backtrack(1, kLeastStepFraction, [&](double step_fraction) {
+    return numerics::halve_step_until_accepted(1, kLeastStepFraction, [&](double step_fraction) {
       const double after = projection.residual(f, here.a + step_fraction * step.change).norm();
       return after < (1 - kArmijo * step_fraction) * before;
     });
@@ -201,7 +204,8 @@ struct NewtonEquations {
 
 }  // namespace
 
-double residual_unit(const ProjectedEquations& projection, const ResidualCoefficients& f) {
+double projected_residual_unit(const ProjectedEquations& projection,
+                               const ResidualCoefficients& f) {
   constexpr double kRounding = 1e-4;
   const StandardDeviations& sigma = projection.basis().sigma();
   return std::max(std::abs(f.damping), kRounding * sigma.x2 / sigma.x1);
@@ -210,8 +214,8 @@ double residual_unit(const ProjectedEquations& projection, const ResidualCoeffic
 numerics::NewtonResult solve_by_newton(const ProjectedEquations& projection,
                                        const ResidualCoefficients& f, const VectorXd& start,
                                        const numerics::NewtonOptions& options) {
-  return numerics::solve_by_newton(NewtonEquations{projection, f, residual_unit(projection, f)},
-                                   start, options);
+  return numerics::solve_by_newton(
+      NewtonEquations{projection, f, projected_residual_unit(projection, f)}, start, options);
 }
 
 }  // namespace fpkcheck::epc::gaussian

@@ -16,19 +16,20 @@ namespace fpkcheck::epc::gaussian {
 ///     R_s(a) = (1/N_s) int int F(x1, x2; a) x1^p x2^q f1(x1) f2(x2) dx1 dx2 = 0.
 ///
 /// Every integral is exact up to rounding, by Gauss rules under the Gaussian weights: each part of
-/// F is a polynomial times a factor 1, sgn(x1) or |x2| delta(x1). For `kf` the jump
-/// integral minus its Kramers-Moyal terms is not a polynomial (JumpIntegralRemainder). Terms by
-/// formulas have their own quadrature (ProjectedFormulas).
+/// F is a polynomial times a factor 1, sgn(x1) or |x2| delta(x1). For `kf` the jump integral minus
+/// its Kramers-Moyal terms is not a polynomial (JumpIntegralRemainder). Terms of the density
+/// equation that contain formulas have their own quadrature (ProjectedFormulas).
 class ProjectedEquations {
  public:
   /// Constructs the equations without the remainder of the jump integral (f.jump_fraction = 0).
   /// @param formulas terms by formulas; absent for f.formula_fraction = 0
-  explicit ProjectedEquations(Basis basis, std::optional<ProjectedFormulas> formulas = {});
-  ProjectedEquations(Basis basis, const problem::ImpulseTrain& impulses,
+  explicit ProjectedEquations(GaussianWeightedBasis basis,
+                              std::optional<ProjectedFormulas> formulas = {});
+  ProjectedEquations(GaussianWeightedBasis basis, const problem::ImpulseTrain& impulses,
                      double jump_radius = JumpIntegralRemainder::kRadius,
                      std::optional<ProjectedFormulas> formulas = {});
 
-  const Basis& basis() const { return basis_; }
+  const GaussianWeightedBasis& basis() const { return basis_; }
   const std::optional<ProjectedFormulas>& formulas() const { return formulas_; }
 
   /// Returns R_s for every basis function s.
@@ -44,22 +45,22 @@ class ProjectedEquations {
   Eigen::MatrixXd jacobian_without_formulas(const ResidualCoefficients& f,
                                             const Eigen::VectorXd& scaled_coefficients) const;
 
-  Basis basis_;
-  ProjectionNodes smooth_;  // nodes with the weights f1 f2
-  ProjectionNodes signed_;  // nodes with the weights sgn(x1) f1 f2
-  ProjectionNodes impact_;  // nodes with the weights delta(x1) |x2| f1 f2
+  GaussianWeightedBasis basis_;
+  GaussianProjectionNodes smooth_;  // nodes with the weights f1 f2
+  GaussianProjectionNodes signed_;  // nodes with the weights sgn(x1) f1 f2
+  GaussianProjectionNodes impact_;  // nodes with the weights delta(x1) |x2| f1 f2
   std::optional<JumpIntegralRemainder> jump_;
   std::optional<ProjectedFormulas> formulas_;
 };
 
 /// Returns the unit of the residual: the damping c, but at least 1e-4 times the frequency
-/// sigma_2/sigma_1. If the unit were smaller than this minimum, rounding errors of the transport
-/// terms would dominate the residual.
-double residual_unit(const ProjectedEquations& projection, const ResidualCoefficients& f);
+/// sigma_2/sigma_1. With a smaller unit, rounding errors of the transport terms would dominate the
+/// residual of the projected equations.
+double projected_residual_unit(const ProjectedEquations& projection, const ResidualCoefficients& f);
 
-/// Solves (23) by the paper's Newton-Raphson method with the analytic Jacobian. The norm of the
-/// residual is max |R_s(a)| / residual_unit. With the option `damped`, each step is halved until
-/// the residual decreases (Armijo's rule).
+/// Solves the projected equations (23) by the paper's Newton-Raphson method with the analytic
+/// Jacobian. The norm of the residual is max |R_s(a)| / projected_residual_unit. With the option
+/// `damped`, each Newton step is halved until the residual decreases (Armijo's rule).
 numerics::NewtonResult solve_by_newton(const ProjectedEquations& projection,
                                        const ResidualCoefficients& f, const Eigen::VectorXd& start,
                                        const numerics::NewtonOptions& options);

@@ -18,16 +18,17 @@ using Eigen::VectorXd;
 using numerics::QuadratureRule;
 
 constexpr unsigned kPointsPerPanel = 10;
-// Width of the panels in deviations of the weight: first width, and smallest width of the
-// refinement.
+// Width of the quadrature panels in standard deviations of the Gaussian weight: first width, and
+// smallest width after refinement.
 constexpr double kFirstPanel = 2, kLeastPanel = 0.125;
-// The refinement ends at this change of the weighted moments.
+// Refinement of the quadrature panels ends at this relative change of the weighted moments.
 constexpr double kTargetError = 1e-10;
-// Halvings of the panels next to x2 = 0, where smoothed dry friction such as tanh(v/eps) is steep.
+// Number of halvings of the quadrature panels next to x2 = 0, where smoothed dry friction such as
+// tanh(v/eps) is steep.
 constexpr int kHalvingsAtRest = 6;
 
 // Norms of the powers of x1 and of x2 under the Gaussian weight, as in Basis.
-struct MonomialNorms {
+struct WeightedMonomialNorms {
   VectorXd x1, x2;
 };
 
@@ -42,7 +43,8 @@ VectorXd monomial_norms(int degree, double sigma) {
 }
 
 // Radius, in deviations, beyond which u^degree exp(-u^2/2) is below 1e-16 of its maximum. The
-// maximum is at u = sqrt(degree), and the logarithm of the function has a curvature of at least 1.
+// maximum of u^degree exp(-u^2/2) is at u = sqrt(degree), and the logarithm of this function has a
+// curvature of at least 1.
 double integration_radius(int degree) { return std::sqrt(degree) + std::sqrt(2 * std::log(1e16)); }
 
 // Returns panel ends in [low, high] that contain the breaks, at distances of at most `width`.
@@ -64,15 +66,15 @@ std::vector<double> panel_ends(double low, const std::vector<double>& breaks, do
 
 // Returns the quadrature points, and the weights times powers of x and the normal density, divided
 // by the norms of the powers: column p belongs to the power p.
-struct WeightedPowers {
+struct GaussianWeightedPowers {
   std::vector<double> points;
   MatrixXd powers;
 };
 
-WeightedPowers weighted_powers(const std::vector<double>& ends, const VectorXd& norms,
-                               double sigma) {
+GaussianWeightedPowers weighted_powers(const std::vector<double>& ends, const VectorXd& norms,
+                                       double sigma) {
   QuadratureRule rule = numerics::composite_gauss_rule<kPointsPerPanel>(ends);
-  WeightedPowers result{std::move(rule.points), MatrixXd(rule.size(), norms.size())};
+  GaussianWeightedPowers result{std::move(rule.points), MatrixXd(rule.size(), norms.size())};
   const double peak = 1 / (std::sqrt(2 * std::numbers::pi) * sigma);
   for (Index i = 0; i < rule.size(); ++i) {
     const double x = result.points[i];
@@ -86,9 +88,10 @@ WeightedPowers weighted_powers(const std::vector<double>& ends, const VectorXd& 
 }
 
 /// Domain of the quadrature, whose panels end at the kinks of the formulas.
-class MomentQuadrature {
+class GaussianMomentQuadrature {
  public:
-  MomentQuadrature(const problem::Problem& problem, const StandardDeviations& sigma, int degree)
+  GaussianMomentQuadrature(const problem::Problem& problem, const StandardDeviations& sigma,
+                           int degree)
       : folded_(problem.system.left_wall().has_value()),
         sigma_(sigma),
         norms_{monomial_norms(degree, sigma.x1), monomial_norms(degree, sigma.x2)} {
@@ -103,7 +106,7 @@ class MomentQuadrature {
     }
   }
 
-  const MonomialNorms& norms() const { return norms_; }
+  const WeightedMonomialNorms& norms() const { return norms_; }
 
   /// Returns the moments of a function over the plane, divided by the norms of the monomials. On
   /// the folded plane the function is given at x1 > 0 and has a parity under (x1, x2) -> (-x1,
@@ -154,19 +157,20 @@ class MomentQuadrature {
  private:
   bool folded_;
   StandardDeviations sigma_;
-  MonomialNorms norms_;
+  WeightedMonomialNorms norms_;
   double x1_high_, x2_high_;
   std::vector<double> x1_breaks_, x2_breaks_;
 };
 
-struct RefinedMoments {
+struct MomentsOnRefinedQuadrature {
   MatrixXd moments;
   double error;
 };
 
 // Halves the panels until the moments, given as a function of the panel width, have converged.
-RefinedMoments refine_until_converged(const std::function<MatrixXd(double)>& moments_at) {
-  RefinedMoments result{moments_at(kFirstPanel), 0};
+MomentsOnRefinedQuadrature refine_until_converged(
+    const std::function<MatrixXd(double)>& moments_at) {
+  MomentsOnRefinedQuadrature result{moments_at(kFirstPanel), 0};
   for (double width = kFirstPanel / 2; width >= kLeastPanel; width /= 2) {
     const MatrixXd finer = moments_at(width);
     const double largest = finer.cwiseAbs().maxCoeff();
@@ -185,19 +189,20 @@ bool has_formulas(const problem::Problem& problem) {
          !problem.system.has_constant_restitution();
 }
 
-ProjectedFormulas::ProjectedFormulas(const Basis& basis, const problem::Problem& problem,
-                                     double damping, double stiffness)
+ProjectedFormulas::ProjectedFormulas(const GaussianWeightedBasis& basis,
+                                     const problem::Problem& problem, double damping,
+                                     double stiffness)
     : constant_(VectorXd::Zero(basis.size())), linear_(MatrixXd::Zero(basis.size(), basis.size())) {
   assert(has_formulas(problem));
   const auto& system = problem.system;
   // Degree in x1 and in x2 of the monomials that the products of basis functions contain
   const int n = basis.order();
-  const MomentQuadrature of_force(problem, basis.sigma(), 2 * n);
-  const auto norm_factors = [](const MomentQuadrature& of) {
+  const GaussianMomentQuadrature of_force(problem, basis.sigma(), 2 * n);
+  const auto norm_factors = [](const GaussianMomentQuadrature& of) {
     return of.norms().x1 * of.norms().x2.transpose();
   };
   const auto& wall = system.left_wall();
-  const RefinedMoments force = refine_until_converged([&](double width) {
+  const MomentsOnRefinedQuadrature force = refine_until_converged([&](double width) {
     MatrixXd moments = of_force.plane_moments(
         [&](double x1, double x2) { return system.force(x1, x2) - damping * x2 - stiffness * x1; },
         -1, width);
@@ -211,8 +216,8 @@ ProjectedFormulas::ProjectedFormulas(const Basis& basis, const problem::Problem&
   quadrature_error_ = force.error;
   set_force_terms(basis, force.moments.cwiseProduct(norm_factors(of_force)));
   if (!problem.noise_factor) return;
-  const MomentQuadrature of_noise(problem, basis.sigma(), 3 * n);
-  const RefinedMoments noise = refine_until_converged([&](double width) {
+  const GaussianMomentQuadrature of_noise(problem, basis.sigma(), 3 * n);
+  const MomentsOnRefinedQuadrature noise = refine_until_converged([&](double width) {
     return of_noise.plane_moments(
         [&](double x1, double x2) {
           return noise_diffusion_coefficient(problem, x1, x2) - problem.noise.diffusion();
@@ -223,7 +228,7 @@ ProjectedFormulas::ProjectedFormulas(const Basis& basis, const problem::Problem&
   set_noise_terms(basis, noise.moments.cwiseProduct(norm_factors(of_noise)));
 }
 
-void ProjectedFormulas::set_force_terms(const Basis& basis, const MatrixXd& m) {
+void ProjectedFormulas::set_force_terms(const GaussianWeightedBasis& basis, const MatrixXd& m) {
   const double precision = 1 / (basis.sigma().x2 * basis.sigma().x2);
   for (Index s = 0; s < basis.size(); ++s) {
     const auto& [p, q, norm] = basis.basis_functions()[s];
@@ -237,7 +242,7 @@ void ProjectedFormulas::set_force_terms(const Basis& basis, const MatrixXd& m) {
   }
 }
 
-void ProjectedFormulas::set_noise_terms(const Basis& basis, const MatrixXd& m) {
+void ProjectedFormulas::set_noise_terms(const GaussianWeightedBasis& basis, const MatrixXd& m) {
   const double precision = 1 / (basis.sigma().x2 * basis.sigma().x2);
   quadratic_.assign(basis.size(), MatrixXd::Zero(basis.size(), basis.size()));
   for (Index s = 0; s < basis.size(); ++s) {

@@ -21,8 +21,8 @@ bool has_formulas(const problem::Problem& problem);
 ///         + (1/p) d^2/dx2^2 [ D (G - 1) p ],      p = exp(Q_n),
 ///
 /// where c and k are the coefficients of ResidualCoefficients, whose terms F contains besides. The
-/// term with r exists if r is a formula. On Zhuravlev's plane f and G at x1 < 0 are -f(-x1, -x2)
-/// and G(-x1, -x2).
+/// term with the restitution coefficient r exists only if r is a formula. On Zhuravlev's plane f
+/// and G at x1 < 0 are -f(-x1, -x2) and G(-x1, -x2).
 ///
 /// Integration by parts moves the derivatives from the formulas, which may have kinks and jumps, to
 /// the projection function phi and the weight. With u = x2 / sigma_2^2 the projections are
@@ -35,16 +35,16 @@ bool has_formulas(const problem::Problem& problem);
 /// projections for every Q_n.
 class ProjectedFormulas {
  public:
-  /// Largest quadrature_error() of a solution.
+  /// Largest accepted quadrature_error() of a solution.
   static constexpr double kQuadratureTolerance = 1e-6;
 
   /// @param damping,stiffness the coefficients c and k
   /// @pre has_formulas(problem)
-  ProjectedFormulas(const Basis& basis, const problem::Problem& problem, double damping,
-                    double stiffness);
+  ProjectedFormulas(const GaussianWeightedBasis& basis, const problem::Problem& problem,
+                    double damping, double stiffness);
 
   /// Returns the terms by formulas projected on each basis function.
-  /// @param scaled_coefficients coefficients of Q_n in the basis
+  /// @param scaled_coefficients coefficients of the polynomial Q_n in the basis
   Eigen::VectorXd projection(const Eigen::VectorXd& scaled_coefficients) const;
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& scaled_coefficients) const;
   /// Returns the largest change of a weighted moment between the last two sets of panels, relative
@@ -52,8 +52,8 @@ class ProjectedFormulas {
   double quadrature_error() const { return quadrature_error_; }
 
  private:
-  void set_force_terms(const Basis& basis, const Eigen::MatrixXd& moments);
-  void set_noise_terms(const Basis& basis, const Eigen::MatrixXd& moments);
+  void set_force_terms(const GaussianWeightedBasis& basis, const Eigen::MatrixXd& moments);
+  void set_noise_terms(const GaussianWeightedBasis& basis, const Eigen::MatrixXd& moments);
 
   // projection = constant_ + linear_ a + a^T quadratic_[s] a in row s; quadratic_ is empty without
   // a noise factor

@@ -16,15 +16,17 @@ numerics::Polynomial terms_of_parity(const numerics::Polynomial& polynomial, std
   return numerics::Polynomial(a);
 }
 
-// Terms with even moments of Y: lambda E[Y^2]/2! [...] + lambda E[Y^4]/4! [...]
-double even_series(const RateTimesMoments& m, const ExponentDerivatives& q) {
+// Terms of the Kramers-Moyal series with even moments of Y: lambda E[Y^2]/2! [...] + lambda
+// E[Y^4]/4! [...]
+double even_series(const RateTimesMoments& m, const ExponentPartialDerivatives& q) {
   const double second = q.q22 + q.q2 * q.q2;
   const double fourth = q.q2222 + 4 * q.q2 * q.q222 + 3 * q.q22 * q.q22 + 6 * q.q2 * q.q2 * q.q22 +
                         q.q2 * q.q2 * q.q2 * q.q2;
   return m[2] / 2 * second + m[4] / 24 * fourth;
 }
 
-ExponentDerivatives even_series_gradient(const RateTimesMoments& m, const ExponentDerivatives& q) {
+ExponentPartialDerivatives even_series_gradient(const RateTimesMoments& m,
+                                                const ExponentPartialDerivatives& q) {
   const double second = m[2] / 2, fourth = m[4] / 24;
   return {
       .q1 = 0,
@@ -34,13 +36,15 @@ ExponentDerivatives even_series_gradient(const RateTimesMoments& m, const Expone
       .q2222 = fourth};
 }
 
-// Terms with odd moments of Y: -lambda E[Y] Q_2 - lambda E[Y^3]/3! [...]
-double odd_series(const RateTimesMoments& m, const ExponentDerivatives& q) {
+// Terms of the Kramers-Moyal series with odd moments of Y: -lambda E[Y] Q_2 - lambda E[Y^3]/3!
+// [...]
+double odd_series(const RateTimesMoments& m, const ExponentPartialDerivatives& q) {
   const double third = q.q222 + 3 * q.q2 * q.q22 + q.q2 * q.q2 * q.q2;
   return -m[1] * q.q2 - m[3] / 6 * third;
 }
 
-ExponentDerivatives odd_series_gradient(const RateTimesMoments& m, const ExponentDerivatives& q) {
+ExponentPartialDerivatives odd_series_gradient(const RateTimesMoments& m,
+                                               const ExponentPartialDerivatives& q) {
   const double third = -m[3] / 6;
   return {.q1 = 0,
           .q2 = -m[1] + third * 3 * (q.q22 + q.q2 * q.q2),
@@ -96,56 +100,58 @@ ResidualCoefficients homotopy_coefficients(const ResidualCoefficients& full, dou
 }
 
 double smooth_residual_part(const ResidualCoefficients& f, double x1, double x2,
-                            const ExponentDerivatives& q) {
+                            const ExponentPartialDerivatives& q) {
   const double drift = f.damping * x2 + f.odd_force(x1);
   return -x2 * q.q1 + drift * q.q2 + even_series(f.rate_times_moment, q) + f.damping;
 }
 
-ExponentDerivatives smooth_residual_gradient(const ResidualCoefficients& f, double x1, double x2,
-                                             const ExponentDerivatives& q) {
-  ExponentDerivatives gradient = even_series_gradient(f.rate_times_moment, q);
+ExponentPartialDerivatives smooth_residual_gradient(const ResidualCoefficients& f, double x1,
+                                                    double x2,
+                                                    const ExponentPartialDerivatives& q) {
+  ExponentPartialDerivatives gradient = even_series_gradient(f.rate_times_moment, q);
   gradient.q1 -= x2;
   gradient.q2 += f.damping * x2 + f.odd_force(x1);
   return gradient;
 }
 
 double signed_residual_part(const ResidualCoefficients& f, double x1,
-                            const ExponentDerivatives& q) {
+                            const ExponentPartialDerivatives& q) {
   return f.even_force(x1) * q.q2 + odd_series(f.rate_times_moment, q);
 }
 
-ExponentDerivatives signed_residual_gradient(const ResidualCoefficients& f, double x1,
-                                             const ExponentDerivatives& q) {
-  ExponentDerivatives gradient = odd_series_gradient(f.rate_times_moment, q);
+ExponentPartialDerivatives signed_residual_gradient(const ResidualCoefficients& f, double x1,
+                                                    const ExponentPartialDerivatives& q) {
+  ExponentPartialDerivatives gradient = odd_series_gradient(f.rate_times_moment, q);
   gradient.q2 += f.even_force(x1);
   return gradient;
 }
 
 double residual_without_wall(const ResidualCoefficients& f, double x1, double x2,
-                             const ExponentDerivatives& q) {
+                             const ExponentPartialDerivatives& q) {
   const double damping = f.damping_polynomial(x1), square = f.rayleigh * x2 * x2;
   const double drift = (damping + square) * x2 + f.odd_force(x1);
   return -x2 * q.q1 + drift * q.q2 + kramers_moyal_residual_part(f.rate_times_moment, 1, q) +
          damping + 3 * square;
 }
 
-ExponentDerivatives residual_without_wall_gradient(const ResidualCoefficients& f, double x1,
-                                                   double x2, const ExponentDerivatives& q) {
-  ExponentDerivatives gradient = kramers_moyal_residual_gradient(f.rate_times_moment, 1, q);
+ExponentPartialDerivatives residual_without_wall_gradient(const ResidualCoefficients& f, double x1,
+                                                          double x2,
+                                                          const ExponentPartialDerivatives& q) {
+  ExponentPartialDerivatives gradient = kramers_moyal_residual_gradient(f.rate_times_moment, 1, q);
   gradient.q1 -= x2;
   gradient.q2 += (f.damping_polynomial(x1) + f.rayleigh * x2 * x2) * x2 + f.odd_force(x1);
   return gradient;
 }
 
 double kramers_moyal_residual_part(const RateTimesMoments& rate_times_moment, int side,
-                                   const ExponentDerivatives& q) {
+                                   const ExponentPartialDerivatives& q) {
   return even_series(rate_times_moment, q) + side * odd_series(rate_times_moment, q);
 }
 
-ExponentDerivatives kramers_moyal_residual_gradient(const RateTimesMoments& rate_times_moment,
-                                                    int side, const ExponentDerivatives& q) {
-  const ExponentDerivatives even = even_series_gradient(rate_times_moment, q),
-                            odd = odd_series_gradient(rate_times_moment, q);
+ExponentPartialDerivatives kramers_moyal_residual_gradient(
+    const RateTimesMoments& rate_times_moment, int side, const ExponentPartialDerivatives& q) {
+  const ExponentPartialDerivatives even = even_series_gradient(rate_times_moment, q),
+                                   odd = odd_series_gradient(rate_times_moment, q);
   return {.q1 = 0,
           .q2 = even.q2 + side * odd.q2,
           .q22 = even.q22 + side * odd.q22,
@@ -154,11 +160,11 @@ ExponentDerivatives kramers_moyal_residual_gradient(const RateTimesMoments& rate
 }
 
 double impact_residual_part(const ResidualCoefficients& f, double x2,
-                            const ExponentDerivatives& q) {
+                            const ExponentPartialDerivatives& q) {
   return f.impact_loss * (x2 * q.q2 + 2);
 }
 
-ExponentDerivatives impact_residual_gradient(const ResidualCoefficients& f, double x2) {
+ExponentPartialDerivatives impact_residual_gradient(const ResidualCoefficients& f, double x2) {
   return {.q1 = 0, .q2 = f.impact_loss * x2, .q22 = 0, .q222 = 0, .q2222 = 0};
 }
 

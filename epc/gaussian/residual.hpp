@@ -45,12 +45,13 @@ ResidualCoefficients residual_coefficients(const problem::Problem& problem,
 
 /// Returns coefficients between white noise with elastic impacts (fraction 0) and the full problem
 /// (fraction 1): 1-r, lambda E[Y], lambda E[Y^3], lambda E[Y^4], jump_fraction and formula_fraction
-/// are multiplied by the fraction. At fraction 0 the density is C exp( -(c/D2)(x2^2/2 + U(|x1|)) ).
+/// are multiplied by the fraction. At fraction 0 the exact density is C exp( -(c/D2)(x2^2/2 +
+/// U(|x1|)) ), with the damping c and the potential U.
 ResidualCoefficients homotopy_coefficients(const ResidualCoefficients& full, double fraction);
 
-/// Derivatives of Q_n at a point: q1 is the first derivative in x1, q22 the second derivative in
-/// x2.
-struct ExponentDerivatives {
+/// Derivatives of the polynomial Q_n at a point: q1 is the first derivative in x1, q22 the second
+/// derivative in x2.
+struct ExponentPartialDerivatives {
   double q1, q2, q22, q222, q2222;
 };
 
@@ -65,33 +66,37 @@ struct ExponentDerivatives {
 /// -x2 Q_1 + [c x2 + g_odd(x1)] Q_2 + lambda E[Y^2]/2! [Q_22 + Q_2^2]
 /// + lambda E[Y^4]/4! [Q_2222 + 4 Q_2 Q_222 + 3 Q_22^2 + 6 Q_2^2 Q_22 + Q_2^4] + c
 double smooth_residual_part(const ResidualCoefficients& f, double x1, double x2,
-                            const ExponentDerivatives& q);
-ExponentDerivatives smooth_residual_gradient(const ResidualCoefficients& f, double x1, double x2,
-                                             const ExponentDerivatives& q);
+                            const ExponentPartialDerivatives& q);
+ExponentPartialDerivatives smooth_residual_gradient(const ResidualCoefficients& f, double x1,
+                                                    double x2, const ExponentPartialDerivatives& q);
 
 /// Returns the part of F with the factor sgn(x1),
 /// [g_even(x1) - lambda E[Y]] Q_2 - lambda E[Y^3]/3! [Q_222 + 3 Q_2 Q_22 + Q_2^3]
-double signed_residual_part(const ResidualCoefficients& f, double x1, const ExponentDerivatives& q);
-ExponentDerivatives signed_residual_gradient(const ResidualCoefficients& f, double x1,
-                                             const ExponentDerivatives& q);
+double signed_residual_part(const ResidualCoefficients& f, double x1,
+                            const ExponentPartialDerivatives& q);
+ExponentPartialDerivatives signed_residual_gradient(const ResidualCoefficients& f, double x1,
+                                                    const ExponentPartialDerivatives& q);
 
 /// Returns the residual F without a wall, for any damping force f,
 /// -x2 Q_1 + [f + g - lambda E[Y]] Q_2 + f_v + (lambda E[Y^2] + 2D)/2! [Q_22 + Q_2^2] - .., with
 /// the higher terms of the smooth and the signed part
 double residual_without_wall(const ResidualCoefficients& f, double x1, double x2,
-                             const ExponentDerivatives& q);
-ExponentDerivatives residual_without_wall_gradient(const ResidualCoefficients& f, double x1,
-                                                   double x2, const ExponentDerivatives& q);
+                             const ExponentPartialDerivatives& q);
+ExponentPartialDerivatives residual_without_wall_gradient(const ResidualCoefficients& f, double x1,
+                                                          double x2,
+                                                          const ExponentPartialDerivatives& q);
 
 /// Returns the truncated Kramers-Moyal series applied to exp(Q), divided by exp(Q).
 /// @param side 1 for x1 > 0, -1 for x1 < 0
 double kramers_moyal_residual_part(const RateTimesMoments& rate_times_moment, int side,
-                                   const ExponentDerivatives& q);
-ExponentDerivatives kramers_moyal_residual_gradient(const RateTimesMoments& rate_times_moment,
-                                                    int side, const ExponentDerivatives& q);
+                                   const ExponentPartialDerivatives& q);
+ExponentPartialDerivatives kramers_moyal_residual_gradient(
+    const RateTimesMoments& rate_times_moment, int side, const ExponentPartialDerivatives& q);
 
-/// Returns the part of F with the factor delta(x1) |x2|, from the impacts: (1-r) [x2 Q_2 + 2]
-double impact_residual_part(const ResidualCoefficients& f, double x2, const ExponentDerivatives& q);
-ExponentDerivatives impact_residual_gradient(const ResidualCoefficients& f, double x2);
+/// Returns the part of the residual F with the factor delta(x1) |x2|, which represents the impacts:
+/// (1-r) [x2 Q_2 + 2]
+double impact_residual_part(const ResidualCoefficients& f, double x2,
+                            const ExponentPartialDerivatives& q);
+ExponentPartialDerivatives impact_residual_gradient(const ResidualCoefficients& f, double x2);
 
 }  // namespace fpkcheck::epc::gaussian

@@ -19,37 +19,39 @@ namespace {
 using numerics::NewtonResult;
 using problem::DensityEquation;
 
-// Limit on the relative change of the coefficients between two discs of the jump integral. For
-// roots that are insensitive to the disc, the relative change is below 0.01.
+// Largest accepted relative change of the closure coefficients between two discs of the jump
+// integral. For roots that are insensitive to the disc, the relative change is below 0.01.
 constexpr double kDiscSensitivityLimit = 0.05;
 
-std::vector<Term> gaussian_exponent(const StandardDeviations& sigma) {
+std::vector<ExponentMonomial> gaussian_exponent(const StandardDeviations& sigma) {
   return {{2, 0, -1 / (2 * sigma.x1 * sigma.x1)}, {0, 2, -1 / (2 * sigma.x2 * sigma.x2)}};
 }
 
 bool is_force_odd(const problem::System& system) {
   if (!system.has_polynomial_force())
-    return system.force_formula().parity() == problem::Parity::odd;
+    return system.force_formula().parity() == problem::FunctionParity::odd;
   const numerics::Polynomial& force = system.restoring_force();
   return force.coefficient(0) == 0 && force.coefficient(2) == 0;
 }
 
-// Without a wall, asymmetric forces, noise or impulses need all monomials.
-MonomialSet required_monomials(const problem::Problem& problem, const Options& options) {
+// For oscillators without a wall, asymmetric forces, noise or impulses need all monomials in the
+// exponent.
+MonomialSet required_monomials(const problem::Problem& problem, const ClosureOptions& options) {
   if (problem.system.left_wall()) return options.monomials;
   const bool symmetric =
       is_force_odd(problem.system) &&
-      (!problem.noise_factor || problem.noise_factor->parity() == problem::Parity::even) &&
+      (!problem.noise_factor || problem.noise_factor->parity() == problem::FunctionParity::even) &&
       problem.impulses.rate_times_moment(1) == 0 && problem.impulses.amplitude_law().is_symmetric();
   return symmetric ? options.monomials : MonomialSet::general;
 }
 
 }  // namespace
 
-ProjectedEquations make_projected_equations(const problem::Problem& problem, const Options& options,
+ProjectedEquations make_projected_equations(const problem::Problem& problem,
+                                            const ClosureOptions& options,
                                             const ResidualCoefficients& coefficients,
                                             const StandardDeviations& sigma) {
-  const Basis basis(options.order, required_monomials(problem, options), sigma);
+  const GaussianWeightedBasis basis(options.order, required_monomials(problem, options), sigma);
   std::optional<ProjectedFormulas> formulas;
   if (has_formulas(problem)) {
     formulas.emplace(basis, problem, coefficients.damping, coefficients.odd_force.coefficient(1));
@@ -87,10 +89,10 @@ std::string describe_branch_end(const SolutionBranch& branch) {
   return turned ? "is lost after a fold" : "ends there";
 }
 
-class RootSearch {
+class GaussianRootSearch {
  public:
-  RootSearch(const problem::Problem& problem, const Options& options,
-             const StandardDeviations& sigma)
+  GaussianRootSearch(const problem::Problem& problem, const ClosureOptions& options,
+                     const StandardDeviations& sigma)
       : problem_(problem),
         options_(options),
         coefficients_(residual_coefficients(problem, effective_equation(options), sigma)),
@@ -98,7 +100,7 @@ class RootSearch {
         gaussian_coefficients_(projection_.basis().scaled_coefficients(
             gaussian_exponent(projection_.basis().sigma()))) {}
 
-  RootSearchResult find_root() {
+  RootSearchResult find_closure_root() {
     search_.sigma = projection_.basis().sigma();
     search_.failure = unresolved_formulas_reason(projection_);
     if (!search_.failure.empty()) return search_;
@@ -121,10 +123,12 @@ class RootSearch {
   }
 
  private:
-  std::optional<Polynomial> find_previous_root() const {
-    Options lower = options_;
+  std::optional<ExponentPolynomial> find_previous_root() const {
+    ClosureOptions lower = options_;
     lower.order -= 2;
-    return RootSearch(problem_, lower, projection_.basis().sigma()).find_root().root;
+    return GaussianRootSearch(problem_, lower, projection_.basis().sigma())
+        .find_closure_root()
+        .root;
   }
   Eigen::VectorXd previous_coefficients() const {
     return projection_.basis().scaled_coefficients(search_.previous->terms());
@@ -137,17 +141,17 @@ class RootSearch {
                             .damped = damped});
   }
 
-  // Records a root and returns whether the search ends. Up to n = 6 any root ends the search, as in
-  // the paper. Beyond n = 6 only a root whose density decays on the edge of its support ends the
-  // search.
+  // Records a root of the projected equations and returns whether the root search ends. Up to
+  // closure order 6 any root ends the search, as in the paper. At higher orders only a root whose
+  // density decays on the edge of its support ends the search.
   bool record_attempt(const NewtonResult& result) {
     search_.iterations += result.iterations;
     if (attempts_++ == 0 || result.residual < search_.residual) search_.residual = result.residual;
     if (!result.converged) return false;
-    const Polynomial root = projection_.basis().exponent_polynomial(result.a);
-    const bool settled =
-        options_.order <= 6 ||
-        DensitySupport(root, projection_.basis().sigma()).edge_density_ratio() < kEdgeDensityLimit;
+    const ExponentPolynomial root = projection_.basis().exponent_polynomial(result.a);
+    const bool settled = options_.order <= 6 ||
+                         DensitySupport(root, projection_.basis().sigma()).edge_density_ratio() <
+                             kMaxSupportEdgeDensity;
     if (settled || !search_.root) search_.root = root;
     return settled;
   }
@@ -201,7 +205,7 @@ class RootSearch {
   }
 
   const problem::Problem& problem_;
-  const Options& options_;
+  const ClosureOptions& options_;
   ResidualCoefficients coefficients_;
   ProjectedEquations projection_;
   Eigen::VectorXd gaussian_coefficients_;
@@ -211,8 +215,9 @@ class RootSearch {
 
 }  // namespace
 
-RootSearchResult find_root(const problem::Problem& problem, const Options& options) {
-  return RootSearch(problem, options, gaussian_weight_deviations(problem)).find_root();
+RootSearchResult find_closure_root(const problem::Problem& problem, const ClosureOptions& options) {
+  return GaussianRootSearch(problem, options, gaussian_weight_deviations(problem))
+      .find_closure_root();
 }
 
 }  // namespace fpkcheck::epc::gaussian

@@ -15,7 +15,7 @@ struct Problem;
 namespace fpkcheck::epc::gaussian {
 
 struct RootSearchResult {
-  std::optional<Polynomial> root;
+  std::optional<ExponentPolynomial> root;
   StandardDeviations sigma = {};  ///< deviations of the Gaussian weights
   double residual = 0;   ///< residual of the root, or the smallest residual of all iterates
   double condition = 0;  ///< condition number of the Jacobian in the scaled unknowns
@@ -26,13 +26,14 @@ struct RootSearchResult {
   /// Relative change of the scaled coefficients if the disc of JumpIntegralRemainder is reduced in
   /// radius by one standard deviation; only for `kf`.
   std::optional<double> disc_sensitivity;
-  std::optional<Polynomial> previous;
+  std::optional<ExponentPolynomial> previous;
 };
 
 /// Makes the projected equations of a problem, with the basis that the problem needs and with the
 /// terms by formulas.
 /// @param sigma deviations of the Gaussian weights
-ProjectedEquations make_projected_equations(const problem::Problem& problem, const Options& options,
+ProjectedEquations make_projected_equations(const problem::Problem& problem,
+                                            const ClosureOptions& options,
                                             const ResidualCoefficients& coefficients,
                                             const StandardDeviations& sigma);
 
@@ -41,13 +42,13 @@ ProjectedEquations make_projected_equations(const problem::Problem& problem, con
 std::string unresolved_formulas_reason(const ProjectedEquations& projection);
 
 /// Searches for a root of the projected equations (23) and returns the root of the first successful
-/// attempt. Beyond order n = 6 the first root whose density decays on the edge of the support is
-/// preferred. The attempts are:
+/// attempt. Above closure order 6 the search prefers the first root whose density decays on the
+/// edge of its support. The attempts are:
 ///  1. plain Newton steps from equivalent linearisation, as in the paper;
 ///  2. damped Newton steps from equivalent linearisation;
-///  3. damped Newton steps from the root of order n-2;
+///  3. damped Newton steps from the root of closure order n-2;
 ///  4. the branch from the exact density under white noise with elastic impacts;
-///  5. Newton's homotopy from the root of order n-2.
-RootSearchResult find_root(const problem::Problem& problem, const Options& options);
+///  5. Newton's homotopy from the root of closure order n-2.
+RootSearchResult find_closure_root(const problem::Problem& problem, const ClosureOptions& options);
 
 }  // namespace fpkcheck::epc::gaussian

@@ -15,37 +15,38 @@ namespace {
 
 using transform::Status;
 
-// Returns the smallest order n-2 whose density is compared with order n. Without a wall, order 2 is
-// excluded for several wells and for a ring, which no Gaussian approximates.
+// Returns the smallest closure order n-2 whose density is compared with closure order n. For
+// oscillators without a wall, closure order 2 is excluded for densities with several wells or a
+// ring, which no Gaussian approximates.
 int first_comparable_order(const problem::Problem& problem) {
   return problem.system.left_wall() ? 2 : 4;
 }
 
-std::string inadmissible_reason(const DensitySupport& support, const LeadingForm& form,
+std::string inadmissible_reason(const DensitySupport& support, const LeadingFormOfExponent& form,
                                 const transform::Solution& solution,
                                 const std::optional<double>& distance_to_density_before) {
-  if (!(support.edge_density_ratio() < kEdgeDensityLimit)) {
+  if (!(support.edge_density_ratio() < kMaxSupportEdgeDensity)) {
     return fmt::format(
         "the density is {:.1e} of its peak on the edge of its support (limit {:.0e}); the support "
         "cuts off about {:.1e} of the probability, {}",
-        support.edge_density_ratio(), kEdgeDensityLimit, support.cut_off_probability(),
+        support.edge_density_ratio(), kMaxSupportEdgeDensity, support.cut_off_probability(),
         describe_leading_form(form, "(x1/sigma1, x2/sigma2)"));
   }
-  if (!(std::abs(solution.mass - 1) <= kMassTolerance)) {
+  if (!(std::abs(solution.mass - 1) <= kClosureMassTolerance)) {
     return fmt::format("the mass of the density in the box around its support is {:.6f}, not 1",
                        solution.mass);
   }
-  if (!(std::abs(solution.energy_residual) <= kEnergyResidualLimit)) {
+  if (!(std::abs(solution.energy_residual) <= kMaxClosureEnergyResidual)) {
     return fmt::format(
         "the balance of power has a residual of {:.0f} % of the input (limit {:.0f} %): the root "
         "approximates no stationary density",
-        100 * std::abs(solution.energy_residual), 100 * kEnergyResidualLimit);
+        100 * std::abs(solution.energy_residual), 100 * kMaxClosureEnergyResidual);
   }
-  if (distance_to_density_before.value_or(0) > kOrderDistanceLimit) {
+  if (distance_to_density_before.value_or(0) > kMaxL1DistanceToPreviousOrder) {
     return fmt::format(
         "the L1 distance of p(y) and p(y') to order n-2 is {:.2f} (limit {}): the root does not "
         "continue order n-2",
-        *distance_to_density_before, kOrderDistanceLimit);
+        *distance_to_density_before, kMaxL1DistanceToPreviousOrder);
   }
   return "";
 }
@@ -56,19 +57,19 @@ std::string inadmissible_reason(const DensitySupport& support, const LeadingForm
 std::string virial_inadmissible_reason(const problem::Problem& problem,
                                        const transform::BalanceResiduals& balances) {
   const double virial = std::abs(balances.virial.value_or(0));
-  if (problem.system.left_wall() || virial <= kEnergyResidualLimit) return "";
+  if (problem.system.left_wall() || virial <= kMaxClosureEnergyResidual) return "";
   return fmt::format(
       "the virial balance has a residual of {:.0f} % (limit {:.0f} %): the root approximates no "
       "stationary density",
-      100 * virial, 100 * kEnergyResidualLimit);
+      100 * virial, 100 * kMaxClosureEnergyResidual);
 }
 
-void assess_root(const problem::Problem& problem, const Polynomial& q,
-                 const StandardDeviations& sigma, const std::optional<Polynomial>& previous,
-                 Result& result) {
+void assess_closure_root(const problem::Problem& problem, const ExponentPolynomial& q,
+                         const StandardDeviations& sigma,
+                         const std::optional<ExponentPolynomial>& previous, ClosureResult& result) {
   const bool has_wall = problem.system.left_wall().has_value();
   const DensitySupport support(q, sigma);
-  const LeadingForm form = leading_form(q, sigma);
+  const LeadingFormOfExponent form = leading_form(q, sigma);
   auto& [solution, summary] = result;
   summary.coefficients = q.terms();
   summary.leading_form = form;
@@ -92,11 +93,12 @@ void assess_root(const problem::Problem& problem, const Polynomial& q,
   if (previous) {
     const DensitySupport before(*previous, sigma);
     auto before_density = density_on_support(*previous, before, has_wall);
-    // the densities of order n and n-2 then have equal panels
+    // the densities of closure orders n and n-2 then have equal quadrature panels
     before_density.y_min = density.y_min;
-    summary.distance_to_previous = distance(
-        marginals, transform::quadrature_marginals(before_density, density.y_max, density.v_max));
-    if (before.edge_density_ratio() < kEdgeDensityLimit &&
+    summary.distance_to_previous = summed_l1_distance(
+        marginals,
+        transform::marginals_at_quadrature_points(before_density, density.y_max, density.v_max));
+    if (before.edge_density_ratio() < kMaxSupportEdgeDensity &&
         previous->degree() >= first_comparable_order(problem)) {
       distance_to_density_before = summary.distance_to_previous;
     }
@@ -109,9 +111,9 @@ void assess_root(const problem::Problem& problem, const Polynomial& q,
 
 }  // namespace
 
-Result solve(const problem::Problem& problem, const Options& options) {
-  const RootSearchResult search = find_root(problem, options);
-  Result result;
+ClosureResult solve_closure(const problem::Problem& problem, const ClosureOptions& options) {
+  const RootSearchResult search = find_closure_root(problem, options);
+  ClosureResult result;
   result.summary.iterations = search.iterations;
   result.summary.residual = search.residual;
   result.summary.branch = search.branch;
@@ -119,7 +121,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   result.summary.disc_sensitivity = search.disc_sensitivity;
   if (search.root) {
     result.summary.condition = search.condition;
-    assess_root(problem, *search.root, search.sigma, search.previous, result);
+    assess_closure_root(problem, *search.root, search.sigma, search.previous, result);
   } else {
     result.solution.status = Status::not_converged;
     result.solution.reason = search.failure;

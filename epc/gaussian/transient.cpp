@@ -31,13 +31,13 @@ constexpr double kTimeTolerance = 1e-9;
 
 /// Means of the basis functions under the density C exp(Q_n), by quadrature along rays from the
 /// origin of the scaled plane. A ray ends where Q_n rises again after exp(Q_n) has fallen below
-/// kEdgeDensityLimit of its peak, as in DensitySupport.
+/// kMaxSupportEdgeDensity of its peak, as in DensitySupport.
 class DensityMeans {
  public:
   static constexpr int kDirections = 96, kRadialPanels = 10;
   static constexpr double kRadius = 8;  // in deviations of the weight and of the initial density
 
-  DensityMeans(const Basis& basis, const problem::InitialGaussian& start) {
+  DensityMeans(const GaussianWeightedBasis& basis, const problem::InitialGaussian& start) {
     const StandardDeviations& sigma = basis.sigma();
     const double extent = std::max(
         {1.0,
@@ -78,7 +78,7 @@ class DensityMeans {
     for (Index first = 0; first < q.size(); first += points_per_ray_) {
       double lowest = std::numeric_limits<double>::infinity();
       for (Index i = first; i < first + points_per_ray_; ++i) {
-        if (q[i] > lowest && lowest < core_peak + std::log(kEdgeDensityLimit)) break;
+        if (q[i] > lowest && lowest < core_peak + std::log(kMaxSupportEdgeDensity)) break;
         lowest = std::min(lowest, q[i]);
         exponent[i] = q[i];
       }
@@ -161,7 +161,7 @@ class ProjectedRates {
   VectorXd constant_;  // coefficients of the best approximation of the constant 1
 };
 
-std::vector<Term> exponent_of_initial_density(const problem::InitialGaussian& start) {
+std::vector<ExponentMonomial> exponent_of_initial_density(const problem::InitialGaussian& start) {
   const double y = start.displacement_deviation * start.displacement_deviation,
                v = start.velocity_deviation * start.velocity_deviation;
   return {{2, 0, -1 / (2 * y)},
@@ -172,22 +172,23 @@ std::vector<Term> exponent_of_initial_density(const problem::InitialGaussian& st
 
 // Stores the density with the exponent Q_n at one time, and the status if the density is
 // inadmissible.
-void add_snapshot(const problem::Problem& problem, const Polynomial& q,
+void add_snapshot(const problem::Problem& problem, const ExponentPolynomial& q,
                   const StandardDeviations& sigma, double time, ClosureEvolution& evolution) {
   const DensitySupport support(q, sigma);
   const transform::SmoothDensity density =
       density_on_support(q, support, problem.system.left_wall().has_value());
-  const auto marginals = transform::quadrature_marginals(density, density.y_max, density.v_max);
+  const auto marginals =
+      transform::marginals_at_quadrature_points(density, density.y_max, density.v_max);
   evolution.snapshots.push_back(
       {.time = time, .density = density, .moments = physical_moments(problem.frame, marginals)});
   if (evolution.status != Status::ok) return;
-  if (!(support.edge_density_ratio() < kEdgeDensityLimit)) {
+  if (!(support.edge_density_ratio() < kMaxSupportEdgeDensity)) {
     evolution.reason = fmt::format(
         "at t = {:.4g} the density is {:.1e} of its peak on the edge of its support (limit "
         "{:.0e}), {}",
-        time, support.edge_density_ratio(), kEdgeDensityLimit,
+        time, support.edge_density_ratio(), kMaxSupportEdgeDensity,
         describe_leading_form(leading_form(q, sigma), "(x1/sigma1, x2/sigma2)"));
-  } else if (!(std::abs(marginals.mass - 1) <= kMassTolerance)) {
+  } else if (!(std::abs(marginals.mass - 1) <= kClosureMassTolerance)) {
     evolution.reason =
         fmt::format("at t = {:.4g} the mass of the density is {:.6f}, not 1", time, marginals.mass);
   }
@@ -196,13 +197,13 @@ void add_snapshot(const problem::Problem& problem, const Polynomial& q,
 
 }  // namespace
 
-ClosureEvolution solve_evolution(const problem::Problem& problem, const Options& options,
+ClosureEvolution solve_evolution(const problem::Problem& problem, const ClosureOptions& options,
                                  const EvolutionRequest& request) {
   const base::Deadline deadline(options.max_seconds);
   const StandardDeviations sigma = gaussian_weight_deviations(problem);
   const ResidualCoefficients coefficients =
       residual_coefficients(problem, effective_equation(options), sigma);
-  Options with_means = options;
+  ClosureOptions with_means = options;
   if (request.start.mean_displacement != 0 || request.start.mean_velocity != 0)
     with_means.monomials = MonomialSet::general;
   const ProjectedEquations projection =
@@ -253,8 +254,8 @@ ClosureEvolution solve_evolution(const problem::Problem& problem, const Options&
                : fmt::format("the coefficients of Q_n diverge before t = {:.4g}", time));
       break;
     }
-    add_snapshot(problem, projection.basis().exponent_polynomial(integrator.state()), sigma, time,
-                 evolution);
+    add_snapshot(problem, projection.basis().exponent_polynomial(integrator.current_state()), sigma,
+                 time, evolution);
   }
   evolution.steps = integrator.step_count();
   return evolution;

@@ -32,7 +32,7 @@ std::vector<Eigen::MatrixXd> OrthonormalPolynomials::derivative_tables(const Eig
   tables[0].col(0).setOnes();
   for (int i = 0; i < degree(); ++i) {
     for (int j = 0; j <= order; ++j) {
-      // The j-th derivative of (x - a) h is (x - a) h^(j) + j h^(j-1).
+      // The j-th derivative of (x - a) h(x) is (x - a) h^(j) + j h^(j-1).
       Eigen::VectorXd next = (x.array() - centre_[i]) * tables[j].col(i).array();
       if (j > 0) next += j * tables[j - 1].col(i);
       if (i > 0) next -= norm_[i - 1] * tables[j].col(i - 1);
@@ -55,16 +55,17 @@ Eigen::MatrixXd OrthonormalPolynomials::monomial_coefficients() const {
   return c;
 }
 
-Basis::Basis(int order, const QuadraturePoints& points, const Eigen::VectorXd& mass)
+OrthonormalBasis::OrthonormalBasis(int order, const QuadraturePoints& points,
+                                   const Eigen::VectorXd& mass)
     : order_(order), of_s_(points.s, mass, order), of_t_(points.t, mass, order) {
   for (int m = 1; m <= order; ++m) {
     for (int q = 0; q <= m; ++q) members_.push_back({m - q, q});
   }
 }
 
-Eigen::MatrixXd products_of_columns(const std::vector<Basis::BasisFunction>& basis_functions,
-                                    const Eigen::MatrixXd& s_table,
-                                    const Eigen::MatrixXd& t_table) {
+Eigen::MatrixXd products_of_basis_columns(
+    const std::vector<OrthonormalBasis::BasisFunction>& basis_functions,
+    const Eigen::MatrixXd& s_table, const Eigen::MatrixXd& t_table) {
   Eigen::MatrixXd result(s_table.rows(), static_cast<Eigen::Index>(basis_functions.size()));
   for (std::size_t k = 0; k < basis_functions.size(); ++k) {
     result.col(static_cast<Eigen::Index>(k)) =
@@ -73,11 +74,14 @@ Eigen::MatrixXd products_of_columns(const std::vector<Basis::BasisFunction>& bas
   return result;
 }
 
-Eigen::MatrixXd Basis::basis_values(const Eigen::VectorXd& s, const Eigen::VectorXd& t) const {
-  return products_of_columns(members_, of_s_.polynomial_values(s), of_t_.polynomial_values(t));
+Eigen::MatrixXd OrthonormalBasis::basis_values(const Eigen::VectorXd& s,
+                                               const Eigen::VectorXd& t) const {
+  return products_of_basis_columns(members_, of_s_.polynomial_values(s),
+                                   of_t_.polynomial_values(t));
 }
 
-BasisAtPoints::BasisAtPoints(const Basis& basis, const Eigen::VectorXd& s, const Eigen::VectorXd& t)
+BasisAtPoints::BasisAtPoints(const OrthonormalBasis& basis, const Eigen::VectorXd& s,
+                             const Eigen::VectorXd& t)
     : members_(basis.basis_functions()), g_(basis.polynomials_in_t().polynomial_values(t)) {
   members_.insert(members_.begin(), {0, 0});
   std::vector<double> s_of_lines;
@@ -146,14 +150,14 @@ Eigen::MatrixXd BasisAtPoints::mean_products(const Eigen::MatrixXd& values,
   return result;
 }
 
-Polynomial Basis::exponent_polynomial(const Eigen::VectorXd& a) const {
+ExponentPolynomial OrthonormalBasis::exponent_polynomial(const Eigen::VectorXd& a) const {
   Eigen::MatrixXd basis_functions = Eigen::MatrixXd::Zero(order_ + 1, order_ + 1);
   for (Eigen::Index k = 0; k < size(); ++k) basis_functions(members_[k].p, members_[k].q) = a[k];
   const Eigen::MatrixXd monomials =
       of_s_.monomial_coefficients().transpose() * basis_functions * of_t_.monomial_coefficients();
-  std::vector<Term> terms;
+  std::vector<ExponentMonomial> terms;
   for (const auto& [p, q] : members_) terms.push_back({p, q, monomials(p, q)});
-  return Polynomial(std::move(terms));
+  return ExponentPolynomial(std::move(terms));
 }
 
 }  // namespace fpkcheck::epc::half_plane

@@ -7,13 +7,14 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// Numbers of quadrature points in s, in t and on each wall.
+/// Numbers of quadrature points in the coordinates s and t of a closure, and on each wall.
 struct QuadraturePointCounts {
   int s, t, wall;
 };
 
-/// Quadrature rule on the half-plane y >= 0. The coordinates s and t are the variables of Q_n: (y,
-/// v) in the formulation moment, (rho, theta) in polar, and (rho, v) in contact.
+/// Points and weights of a quadrature rule on the half-plane y >= 0 of displacement and velocity.
+/// The coordinates s and t are the variables of the polynomial Q_n: (y, v) in the formulation
+/// moment, (rho, theta) in polar, and (rho, v) in contact.
 struct QuadraturePoints {
   Eigen::VectorXd s, t;
   Eigen::VectorXd y, v;
@@ -33,8 +34,8 @@ struct QuadraturePoints {
 /// y >= 0 at high orders.
 class OrthonormalPolynomials {
  public:
-  /// @param points,weights points and weights of the measure. The sum of the weights is 1, and more
-  ///   than `degree` points are distinct.
+  /// @param points,weights points and weights of the measure. The sum of the weights of this
+  /// measure is 1, and more than `degree` points are distinct.
   OrthonormalPolynomials(const Eigen::VectorXd& points, const Eigen::VectorXd& weights, int degree);
 
   int degree() const { return static_cast<int>(centre_.size()); }
@@ -59,9 +60,9 @@ class OrthonormalPolynomials {
 };
 
 /// Basis of products h_p(s) g_q(t), 1 <= p + q <= n, in the coordinates s and t of
-/// QuadraturePoints. The polynomials h and g are orthonormal under the marginal densities of an
+/// QuadraturePoints. The polynomials h_p and g_q are orthonormal under the marginal densities of an
 /// approximate density.
-class Basis {
+class OrthonormalBasis {
  public:
   struct BasisFunction {
     int p, q;
@@ -69,7 +70,7 @@ class Basis {
 
   /// @param points quadrature points of the domain
   /// @param mass probability of the approximate density at each point; the sum is 1
-  Basis(int order, const QuadraturePoints& points, const Eigen::VectorXd& mass);
+  OrthonormalBasis(int order, const QuadraturePoints& points, const Eigen::VectorXd& mass);
 
   int order() const { return order_; }
   Eigen::Index size() const { return static_cast<Eigen::Index>(members_.size()); }
@@ -80,7 +81,7 @@ class Basis {
   Eigen::MatrixXd basis_values(const Eigen::VectorXd& s, const Eigen::VectorXd& t) const;
 
   /// Returns the exponent Q_n in monomials of s and t, from the coefficients in the basis.
-  Polynomial exponent_polynomial(const Eigen::VectorXd& coefficients) const;
+  ExponentPolynomial exponent_polynomial(const Eigen::VectorXd& coefficients) const;
 
  private:
   int order_;
@@ -88,15 +89,15 @@ class Basis {
   OrthonormalPolynomials of_s_, of_t_;
 };
 
-/// Values of the basis functions at quadrature points. Consecutive points of equal s form a line, on
-/// which h_p(s) is constant. The sums over the points of a line contain only the n + 1 polynomials
-/// g_q(t) instead of the (n + 1)(n + 2)/2 - 1 basis functions (sum factorisation). For lines of at
-/// least n points the number of operations of second_moments() is thereby about n^2/4 times
-/// smaller than with a table of the basis functions.
+/// Values of the basis functions at quadrature points. Consecutive points of equal s form a line,
+/// on which h_p(s) is constant. The sums over the points of a line contain only the n + 1
+/// polynomials g_q(t) instead of the (n + 1)(n + 2)/2 - 1 basis functions (sum factorisation). For
+/// lines of at least n points the number of operations of second_moments() is thereby about n^2/4
+/// times smaller than with a table of the basis functions.
 class BasisAtPoints {
  public:
   /// @param s,t coordinates of the points; points of equal s are consecutive
-  BasisAtPoints(const Basis& basis, const Eigen::VectorXd& s, const Eigen::VectorXd& t);
+  BasisAtPoints(const OrthonormalBasis& basis, const Eigen::VectorXd& s, const Eigen::VectorXd& t);
 
   Eigen::Index size() const { return static_cast<Eigen::Index>(members_.size()) - 1; }
 
@@ -124,14 +125,16 @@ class BasisAtPoints {
     return values.segment(line_begins_[line], line_size(line));
   }
 
-  std::vector<Basis::BasisFunction> members_;  // the function 1, then the basis functions
-  std::vector<Eigen::Index> line_begins_;      // first point of each line, then the point count
-  Eigen::MatrixXd h_;                          // h_p(s), of shape (lines, degree + 1)
-  Eigen::MatrixXd g_;                          // g_q(t), of shape (points, degree + 1)
+  std::vector<OrthonormalBasis::BasisFunction>
+      members_;                            // the function 1, then the basis functions
+  std::vector<Eigen::Index> line_begins_;  // first point of each line, then the point count
+  Eigen::MatrixXd h_;                      // h_p(s), of shape (lines, degree + 1)
+  Eigen::MatrixXd g_;                      // g_q(t), of shape (points, degree + 1)
 };
 
 /// Returns the products s_table.col(p_k) * t_table.col(q_k) for all basis functions k.
-Eigen::MatrixXd products_of_columns(const std::vector<Basis::BasisFunction>& basis_functions,
-                                    const Eigen::MatrixXd& s_table, const Eigen::MatrixXd& t_table);
+Eigen::MatrixXd products_of_basis_columns(
+    const std::vector<OrthonormalBasis::BasisFunction>& basis_functions,
+    const Eigen::MatrixXd& s_table, const Eigen::MatrixXd& t_table);
 
 }  // namespace fpkcheck::epc::half_plane

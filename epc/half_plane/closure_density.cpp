@@ -6,18 +6,21 @@
 
 namespace fpkcheck::epc::half_plane {
 
-double support_energy(double level, TailTreatment tail) {
-  return tail == TailTreatment::confined ? level * Confinement::support_to_level_ratio() : level;
+double support_energy(double level, DensityTailTreatment tail) {
+  return tail == DensityTailTreatment::confined
+             ? level * ExponentConfinement::support_to_level_ratio()
+             : level;
 }
 
-Confinement make_confinement(double level, TailTreatment tail) {
-  return tail == TailTreatment::confined ? Confinement{level} : Confinement{};
+ExponentConfinement make_exponent_confinement(double level, DensityTailTreatment tail) {
+  return tail == DensityTailTreatment::confined ? ExponentConfinement{level}
+                                                : ExponentConfinement{};
 }
 
-std::pair<double, double> scaled_radius_range(const Contour& contour,
+std::pair<double, double> scaled_radius_range(const DensityContour& contour,
                                               const StandardDeviations& sigma) {
   double least = std::numeric_limits<double>::infinity(), greatest = 0;
-  for (const ContourPoint& point : contour) {
+  for (const DensityContourPoint& point : contour) {
     const double radius = std::hypot(point.y / sigma.x1, point.v / sigma.x2);
     least = std::min(least, radius);
     greatest = std::max(greatest, radius);
@@ -25,10 +28,10 @@ std::pair<double, double> scaled_radius_range(const Contour& contour,
   return {least, greatest};
 }
 
-double probability_beyond_contour(const Polynomial& q, const Contour& contour, double temperature,
-                                  double log_normalisation) {
+double probability_beyond_contour(const ExponentPolynomial& q, const DensityContour& contour,
+                                  double temperature, double log_normalisation) {
   double density = 0;
-  for (const ContourPoint& point : contour) {
+  for (const DensityContourPoint& point : contour) {
     density += std::exp(q(point.s, point.t) - log_normalisation) * point.area;
   }
   return temperature * density;

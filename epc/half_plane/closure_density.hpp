@@ -10,13 +10,13 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// Confinement term -(h / level)^kPower, added to the exponent Q_n, where h is the energy. The term
-/// is negligible in the bulk of the density and steeper than every Q_n beyond the level. Therefore
-/// C exp(Q_n - (h/level)^kPower) is a density on the whole half-plane, and satisfies the moment
-/// equations without a cut-off of the density.
-struct Confinement {
+/// Confinement term -(h / level)^kPower, added to the exponent Q_n, where h is the energy. The
+/// confinement term is negligible in the bulk of the density, and beyond the confinement level
+/// steeper than every polynomial Q_n. Therefore C exp(Q_n - (h/level)^kPower) is a density on the
+/// whole half-plane, and satisfies the moment equations without a cut-off of the density.
+struct ExponentConfinement {
   static constexpr int kPower = 16;
-  /// The density is neglected at energies where the confinement term is below -kNegligible.
+  /// The closure density is neglected at energies where the confinement term is below -kNegligible.
   static constexpr double kNegligible = 45;
 
   /// Confinement level, an energy; infinite without confinement
@@ -29,40 +29,40 @@ struct Confinement {
   static double support_to_level_ratio() { return std::pow(kNegligible, 1.0 / kPower); }
 };
 
-/// Returns the energy beyond which the density with a confinement level is 0.
-double support_energy(double level, TailTreatment tail);
+/// Returns the energy beyond which a closure density with the given confinement level is 0.
+double support_energy(double level, DensityTailTreatment tail);
 
-/// Returns the confinement with the given level; without confinement for TailTreatment::cut.
-Confinement make_confinement(double level, TailTreatment tail);
+/// Returns the confinement with the given level; without confinement for DensityTailTreatment::cut.
+ExponentConfinement make_exponent_confinement(double level, DensityTailTreatment tail);
 
 /// Density C exp(Q_n + confinement) of a closure, with its scales and limits.
 struct ClosureDensity {
-  Polynomial q{{}};              ///< polynomial Q_n of s and t, without the constant term
+  ExponentPolynomial q{{}};      ///< polynomial Q_n of s and t, without the constant term
   double temperature = 0;        ///< mean square velocity E[v^2]
   double log_normalisation = 0;  ///< ln of the integral of exp(Q_n + confinement)
   double peak = 0;               ///< largest value of the exponent of the density
   double level = 0;              ///< confinement level, or energy beyond which the density is cut
   double support = 0;            ///< energy beyond which the density is 0
-  /// Largest coordinate s up to which the exponent Q_n falls.
-  double end_of_decay = std::numeric_limits<double>::infinity();
+  /// Largest value of the coordinate s up to which the exponent Q_n falls.
+  double end_of_exponent_decay = std::numeric_limits<double>::infinity();
 };
 
-struct ContourPoint {
+struct DensityContourPoint {
   double s, t;
   double y, v;
   double area;  ///< contribution of the point to dA/dh, where A is the area inside the contour
 };
-using Contour = std::vector<ContourPoint>;
+using DensityContour = std::vector<DensityContourPoint>;
 
 /// Returns the smallest and largest distance of a contour from the origin, in units of sigma.
-std::pair<double, double> scaled_radius_range(const Contour& contour,
+std::pair<double, double> scaled_radius_range(const DensityContour& contour,
                                               const StandardDeviations& sigma);
 
 /// Estimates the probability outside a contour by T oint p dA/dh, which is exact for a density that
 /// decays like exp(-h/T).
 /// @param temperature temperature T of the decay exp(-h/T)
 /// @param log_normalisation ln of the integral of exp(Q_n + confinement)
-double probability_beyond_contour(const Polynomial& q, const Contour& contour, double temperature,
-                                  double log_normalisation);
+double probability_beyond_contour(const ExponentPolynomial& q, const DensityContour& contour,
+                                  double temperature, double log_normalisation);
 
 }  // namespace fpkcheck::epc::half_plane

@@ -71,14 +71,14 @@ VectorXd GalerkinSystem::fit_coefficients(const VectorXd& exponent, const Vector
 }
 
 ClosureDensity make_closure_density(const ClosureEquations& equations, const VectorXd& a,
-                                    double level, TailTreatment tail) {
+                                    double level, DensityTailTreatment tail) {
   const GalerkinSystem::DensityAtPoints density = equations.evaluate_density(a);
   const QuadraturePoints& points = equations.points();
   ClosureDensity closure{.q = equations.basis().exponent_polynomial(a),
                          .temperature = density.mass.dot(points.v.cwiseAbs2()),
                          .level = level,
                          .support = support_energy(level, tail)};
-  // The constant term of Q_n differs between the basis and the monomials.
+  // The constant term of the exponent differs between the orthonormal basis and the monomials.
   const double constant =
       closure.q(points.s[0], points.t[0]) -
       equations.basis().basis_values(points.s.head(1), points.t.head(1)).row(0).dot(a);

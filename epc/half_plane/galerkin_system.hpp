@@ -87,22 +87,22 @@ class GalerkinSystem {
 /// Galerkin equations together with the basis and the quadrature points.
 class ClosureEquations : public GalerkinSystem {
  public:
-  ClosureEquations(GalerkinTables tables, Basis basis, QuadraturePoints points)
+  ClosureEquations(GalerkinTables tables, OrthonormalBasis basis, QuadraturePoints points)
       : GalerkinSystem(std::move(tables)), basis_(std::move(basis)), points_(std::move(points)) {}
 
-  const Basis& basis() const { return basis_; }
+  const OrthonormalBasis& basis() const { return basis_; }
   const QuadraturePoints& points() const { return points_; }
 
  private:
-  Basis basis_;
+  OrthonormalBasis basis_;
   QuadraturePoints points_;
 };
 
 /// Returns the density with the given coefficients in the basis, without
-/// ClosureDensity::end_of_decay.
+/// ClosureDensity::end_of_exponent_decay.
 /// @param level confinement level of the equations
 ClosureDensity make_closure_density(const ClosureEquations& equations,
                                     const Eigen::VectorXd& coefficients, double level,
-                                    TailTreatment tail);
+                                    DensityTailTreatment tail);
 
 }  // namespace fpkcheck::epc::half_plane

@@ -9,8 +9,8 @@
 #include "numerics/roots/newton.hpp"
 #include "problem/problem.hpp"
 
-/// Newton's method for the Galerkin equations. The norms and the condition number do
-/// not depend on the choice of basis.
+/// Newton's method for the Galerkin equations. The norms of residuals and steps, and the condition
+/// number, do not depend on the choice of basis.
 namespace fpkcheck::epc::half_plane {
 
 /// Returns the unit of rates of change: the relaxation rate D_eff / E[v^2], but at least 1e-4 times
@@ -34,24 +34,25 @@ double condition_number(const Eigen::MatrixXd& jacobian, const Eigen::MatrixXd& 
 
 /// Returns the eigenvalue of J G^-1 with the largest real part, where J is the Jacobian and G the
 /// covariance matrix. Near a root the moments m = E[phi] of a density of the closure follow
-/// d(dm)/dt = J G^-1 dm. With a positive real part the root is unstable: almost all densities of
-/// the closure near the root move away from the root. The negative of the real part is the
-/// relaxation rate of the closure.
+/// d(dm)/dt = J G^-1 dm. A root whose rightmost eigenvalue has a positive real part is unstable:
+/// almost all densities of the closure near this root move away from the root. The negative real
+/// part of the rightmost eigenvalue is the relaxation rate of the closure.
 std::complex<double> rightmost_eigenvalue(const Eigen::MatrixXd& jacobian,
                                           const Eigen::MatrixXd& covariance);
 
 /// Returns the standard deviation of the change of the exponent Q_n by a step in the coefficients
-/// of Q_n.
+/// of the polynomial Q_n.
 double step_norm(const Eigen::VectorXd& step, const Eigen::MatrixXd& covariance);
 
-/// Solves the Galerkin equations by a damped Newton method. The norm of each step is at most 2, and
-/// each step must shorten the next simplified Newton step (Deuflhard's natural monotonicity test).
+/// Solves the Galerkin equations by a damped Newton method. The norm of each Newton step is at most
+/// 2, and each step must shorten the next simplified Newton step (Deuflhard's natural monotonicity
+/// test).
 numerics::NewtonResult solve_by_newton(const GalerkinSystem& equations,
                                        const Eigen::VectorXd& start, double unit,
                                        const numerics::NewtonOptions& options);
 
-/// Follows Newton's homotopy from given coefficients, also past folds. The end point of the path
-/// still needs a refinement by Newton's method.
+/// Follows Newton's homotopy from given coefficients, also past folds. The end point of the
+/// homotopy path still needs a refinement by Newton's method.
 /// @param should_stop is called before each step; the path ends when this function returns true
 numerics::SolutionCurve follow_homotopy(const GalerkinSystem& equations,
                                         const Eigen::VectorXd& start,

@@ -15,16 +15,16 @@ using transform::Status;
 
 std::string common_inadmissible_reason(const RootSearchResult& root,
                                        const transform::Solution& solution,
-                                       const Summary& summary) {
-  // Largest growth rate of an accepted root, in units of rate_of_change_unit(). Rounding errors
-  // give small growth rates.
+                                       const ClosureSummary& summary) {
+  // Largest growth rate of moments near an accepted root, in units of rate_of_change_unit().
+  // Rounding errors cause small positive growth rates.
   constexpr double kGrowthLimit = 1e-3;
   constexpr double kBeyondLevelLimit = 1e-3;
-  if (!(std::abs(solution.mass - 1) <= kMassTolerance)) {
+  if (!(std::abs(solution.mass - 1) <= kClosureMassTolerance)) {
     return fmt::format(
         "the mass by panels over the support is {:.5f} (limits 1 +- {:.0e}): the panels do not "
         "resolve a spike of the density; moments and marginal densities have the same error",
-        solution.mass, kMassTolerance);
+        solution.mass, kClosureMassTolerance);
   }
   if (!(summary.half_plane->beyond_level <= kBeyondLevelLimit)) {
     return fmt::format(
@@ -44,8 +44,8 @@ std::string common_inadmissible_reason(const RootSearchResult& root,
 
 }  // namespace
 
-Result make_unassessed_result(const RootSearchResult& root) {
-  Result result;
+ClosureResult make_unassessed_result(const RootSearchResult& root) {
+  ClosureResult result;
   result.summary.iterations = root.newton.iterations;
   result.summary.residual = root.newton.residual;
   result.solution.status = Status::not_converged;
@@ -53,21 +53,22 @@ Result make_unassessed_result(const RootSearchResult& root) {
   return result;
 }
 
-ClosedFormParameters closed_form_parameters(const ClosureDensity& closure, TailTreatment tail,
+ClosedFormParameters closed_form_parameters(const ClosureDensity& closure,
+                                            DensityTailTreatment tail,
                                             ExponentCoordinates variables) {
   return {.variables = variables,
           .log_constant = -closure.log_normalisation,
           .support = closure.support,
-          .level = make_confinement(closure.level, tail).level};
+          .level = make_exponent_confinement(closure.level, tail).level};
 }
 
-void store_half_plane_summary(const RootSearchResult& root, TailTreatment tail,
+void store_half_plane_summary(const RootSearchResult& root, DensityTailTreatment tail,
                               const transform::SmoothDensity& density,
-                              const StandardDeviations& sigma, const EdgeAndLevelContours& edges,
-                              Result& result) {
+                              const StandardDeviations& sigma,
+                              const EdgeAndConfinementLevelContours& edges, ClosureResult& result) {
   assert(result.solution.density);
   const ClosureDensity& closure = root.closure;
-  const auto beyond = [&](const Contour& contour) {
+  const auto beyond = [&](const DensityContour& contour) {
     return probability_beyond_contour(closure.q, contour, closure.temperature,
                                       closure.log_normalisation);
   };
@@ -93,7 +94,7 @@ void store_half_plane_summary(const RootSearchResult& root, TailTreatment tail,
 }
 
 void set_status(const RootSearchResult& root, double quadrature_tolerance,
-                const std::string& inadmissible_reason, Result& result) {
+                const std::string& inadmissible_reason, ClosureResult& result) {
   auto& [solution, summary] = result;
   const bool is_known_inadmissible = root.is_refinement_omitted && !inadmissible_reason.empty();
   if (!is_known_inadmissible && !(root.quadrature_change < quadrature_tolerance)) {

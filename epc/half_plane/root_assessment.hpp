@@ -6,32 +6,35 @@
 #include "epc/half_plane/root_search.hpp"
 #include "epc/summary.hpp"
 
-/// Conversion of a root to a result, common to the formulations on the half-plane.
+/// Conversion of a root of the closure equations to a result, common to the formulations on the
+/// half-plane.
 namespace fpkcheck::epc::half_plane {
 
-/// Returns a result with the status not_converged, before the assessment of the root.
-Result make_unassessed_result(const RootSearchResult& root);
+/// Returns a closure result with the status not_converged, before the assessment of the root.
+ClosureResult make_unassessed_result(const RootSearchResult& root);
 
 /// Returns the parameters with which files store the density of a closure.
-ClosedFormParameters closed_form_parameters(const ClosureDensity& closure, TailTreatment tail,
+ClosedFormParameters closed_form_parameters(const ClosureDensity& closure,
+                                            DensityTailTreatment tail,
                                             ExponentCoordinates variables);
 
-/// Contours of the edge of the support and of the confinement level.
-struct EdgeAndLevelContours {
-  Contour support, level;
+/// Contours, in the plane of y and v, of the edge of the density's support and of the confinement
+/// level.
+struct EdgeAndConfinementLevelContours {
+  DensityContour support, level;
   double density;  ///< largest density on the edge of the support, relative to the peak density
 };
 
 /// Stores condition number, coefficients, support and tail of a root in the summary of a result.
 /// @pre the solution already contains the density
-void store_half_plane_summary(const RootSearchResult& root, TailTreatment tail,
+void store_half_plane_summary(const RootSearchResult& root, DensityTailTreatment tail,
                               const transform::SmoothDensity& density,
-                              const StandardDeviations& sigma, const EdgeAndLevelContours& edges,
-                              Result& result);
+                              const StandardDeviations& sigma,
+                              const EdgeAndConfinementLevelContours& edges, ClosureResult& result);
 
 /// Sets the status of the solution. If the quadrature does not resolve the root, the status is
 /// not_converged, except for an inadmissible root whose quadrature was not refined
-/// (RootSearchResult::is_refinement_omitted). A root is inadmissible if
+/// (RootSearchResult::is_refinement_omitted). A root of the closure is inadmissible if
 /// - the formulation states a reason why the root is inadmissible;
 /// - the integral of the density by an independent quadrature is not 1;
 ///  - too much probability lies at or beyond the confinement level: the confinement would determine
@@ -41,7 +44,7 @@ void store_half_plane_summary(const RootSearchResult& root, TailTreatment tail,
 ///   points, in standard deviations
 /// @param inadmissible_reason reason of the formulation, or empty
 void set_status(const RootSearchResult& root, double quadrature_tolerance,
-                const std::string& inadmissible_reason, Result& result);
+                const std::string& inadmissible_reason, ClosureResult& result);
 
 /// Returns the root mean squares of y and of v.
 StandardDeviations root_mean_squares(const transform::Moments& moments);

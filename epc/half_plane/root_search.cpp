@@ -20,29 +20,32 @@ using numerics::NewtonResult;
 
 constexpr double kRoughTolerance = 1e-4;
 constexpr int kMaxRefinements = 4;
-// Largest number of homotopies in one pass over the confinement levels. Systems of at most
-// kFewEquations equations have no limit, since their homotopies take tenths of a second.
+// Largest number of homotopy paths in one pass over the candidates for the confinement level.
+// Systems of at most kFewEquations equations have no limit, since their homotopy paths take tenths
+// of a second.
 constexpr int kMostHomotopies = 2, kFewEquations = 50;
 
-// Multiplies the number of quadrature points in the plane by more than 2.
+// Factor for the number of quadrature points in each coordinate, which more than doubles the number
+// of points in the plane.
 QuadraturePointCounts refined_point_counts(const QuadraturePointCounts& size) {
   return {size.s * 3 / 2, size.t * 3 / 2, size.wall * 3 / 2};
 }
 
 // Attempts a solution at each confinement level in turn, except close to a level with a solution.
-// Returns the first result with a decay ratio below the limit, or else the result with the smallest
-// decay ratio. The return value is empty if every attempt failed.
-template <class Result, class Attempt>
-std::optional<Result> try_confinement_levels(const std::vector<double>& levels,
-                                             double decay_ratio_limit, const Attempt& attempt) {
+// Returns the first solution with a decay ratio below the limit, or else the solution with the
+// smallest decay ratio. If every attempt fails, the return value is empty.
+template <class ClosureResult, class Attempt>
+std::optional<ClosureResult> try_confinement_levels(const std::vector<double>& levels,
+                                                    double decay_ratio_limit,
+                                                    const Attempt& attempt) {
   constexpr double kClose = 0.01;
-  std::optional<Result> best;
+  std::optional<ClosureResult> best;
   std::vector<double> solved_levels;
   double least = std::numeric_limits<double>::infinity();
   for (const double level : levels) {
     const auto is_close = [&](double solved) { return std::abs(level / solved - 1) < kClose; };
     if (std::ranges::any_of(solved_levels, is_close)) continue;
-    std::optional<std::pair<Result, double>> outcome = attempt(level);
+    std::optional<std::pair<ClosureResult, double>> outcome = attempt(level);
     if (!outcome) continue;
     solved_levels.push_back(level);
     auto& [result, density] = *outcome;
@@ -55,9 +58,9 @@ std::optional<Result> try_confinement_levels(const std::vector<double>& levels,
   return best;
 }
 
-class RootSearch {
+class HalfPlaneRootSearch {
  public:
-  RootSearch(const ClosureFormulation& formulation, const Options& options)
+  HalfPlaneRootSearch(const ClosureFormulation& formulation, const ClosureOptions& options)
       : formulation_(formulation),
         options_(options),
         unit_(formulation.rate_of_change_unit()),
@@ -85,8 +88,9 @@ class RootSearch {
       if (!next && n > first && formulation_.can_start_at_any_order()) {
         next = solve_order(formulation_.initial_density(), n);
       }
-      // Order 2 is solved twice: under strong impact losses equivalent linearisation overestimates
-      // the deviations, which set the domain and the basis of the first solution.
+      // Closure order 2 is solved twice. Under strong impact losses equivalent linearisation
+      // overestimates the standard deviations, which set the domain and the basis of the first
+      // solution.
       if (next && n == 2) next = solve_order(*next, n);
       if (!next) return;
       guess = *next;
@@ -94,7 +98,7 @@ class RootSearch {
     solve_requested_order(guess);
   }
 
-  // The first call after the deadline stores the reason of failure.
+  // The first call of this function after the deadline stores the reason of failure.
   bool is_past_deadline() {
     if (!deadline_.has_passed()) return false;
     if (std::exchange(deadline_reported_, true)) return true;
@@ -105,7 +109,7 @@ class RootSearch {
 
   // At the confinement level of the initial guess, Newton's method starts from the exponent Q_n of
   // the initial guess without a fit.
-  std::vector<double> confinement_levels(const ClosureDensity& guess, SearchStage stage) const {
+  std::vector<double> confinement_levels(const ClosureDensity& guess, RootSearchStage stage) const {
     std::vector<double> confinement_levels = formulation_.confinement_levels(guess, stage);
     if (guess.level > 0) confinement_levels.push_back(guess.level);
     return confinement_levels;
@@ -116,16 +120,16 @@ class RootSearch {
     const auto attempt = [&](double level) -> std::optional<std::pair<ClosureDensity, double>> {
       if (is_past_deadline()) return std::nullopt;
       const StartingPoint start = make_starting_point(
-          guess, n, level, initial_point_counts(guess, n, level, SearchStage::rough));
-      const NewtonResult result = solve_from(start, SearchStage::rough);
+          guess, n, level, initial_point_counts(guess, n, level, RootSearchStage::rough));
+      const NewtonResult result = solve_from(start, RootSearchStage::rough);
       if (!result.converged) return std::nullopt;
       homotopies_left_ = 0;
       const ClosureDensity closure = closure_with_decay_end(start.equations, result.a, level);
-      return std::pair{closure, formulation_.decay_ratio(closure, SearchStage::rough)};
+      return std::pair{closure, formulation_.decay_ratio(closure, RootSearchStage::rough)};
     };
     return try_confinement_levels<ClosureDensity>(
-        confinement_levels(guess, SearchStage::rough),
-        formulation_.decay_ratio_limit(SearchStage::rough), attempt);
+        confinement_levels(guess, RootSearchStage::rough),
+        formulation_.decay_ratio_limit(RootSearchStage::rough), attempt);
   }
 
   void solve_requested_order(const ClosureDensity& guess) {
@@ -133,7 +137,7 @@ class RootSearch {
     const auto attempt = [&](double level) -> std::optional<std::pair<RootSearchResult, double>> {
       if (is_past_deadline() || !solve_at_level(guess, level)) return std::nullopt;
       homotopies_left_ = 0;
-      // The accurate root may allow a better confinement level than the initial guess.
+      // The root may allow a better confinement level than the initial guess allowed.
       const RootSearchResult first_root = root_;
       const auto improved_confinement_level =
           formulation_.improved_confinement_level(guess, first_root.closure);
@@ -143,8 +147,8 @@ class RootSearch {
       return std::pair{root_, root_.decay_ratio};
     };
     const auto best = try_confinement_levels<RootSearchResult>(
-        confinement_levels(guess, SearchStage::last),
-        formulation_.decay_ratio_limit(SearchStage::last), attempt);
+        confinement_levels(guess, RootSearchStage::last),
+        formulation_.decay_ratio_limit(RootSearchStage::last), attempt);
     if (best) root_ = *best;
   }
 
@@ -155,14 +159,14 @@ class RootSearch {
     const bool estimated =
         refinement.rule == QuadratureRefinementCriterion::ChangeMeasure::estimated;
     QuadraturePointCounts size =
-        initial_point_counts(guess, options_.order, level, SearchStage::last);
+        initial_point_counts(guess, options_.order, level, RootSearchStage::last);
     StartingPoint at = make_starting_point(guess, options_.order, level, size);
-    NewtonResult result = solve_from(at, SearchStage::last);
+    NewtonResult result = solve_from(at, RootSearchStage::last);
     const auto is_far_from_decayed = [&](const ClosureEquations& equations) {
       constexpr double kFarAboveLimit = 100;
       return formulation_.decay_ratio(closure_with_decay_end(equations, result.a, level),
-                                      SearchStage::last) >
-             kFarAboveLimit * formulation_.decay_ratio_limit(SearchStage::last);
+                                      RootSearchStage::last) >
+             kFarAboveLimit * formulation_.decay_ratio_limit(RootSearchStage::last);
     };
     for (int left = kMaxRefinements; result.converged; --left) {
       const QuadraturePointCounts finer = refined_point_counts(size);
@@ -176,7 +180,7 @@ class RootSearch {
           return store_root(at.equations, result, level, size, change);
         }
       }
-      result = solve_from(fine, SearchStage::last);
+      result = solve_from(fine, RootSearchStage::last);
       if (!estimated && result.converged) {
         const double change = step_norm(result.a - fine.a, covariance_at(fine.equations, result.a));
         if (change < refinement.tolerance || left == 1) {
@@ -190,51 +194,53 @@ class RootSearch {
   }
 
   QuadraturePointCounts initial_point_counts(const ClosureDensity& guess, int n, double level,
-                                             SearchStage stage) const {
+                                             RootSearchStage stage) const {
     return formulation_.quadrature_point_counts(n, level / guess.temperature, stage);
   }
 
-  ClosureEquations make_equations(const Basis& basis, double level,
+  ClosureEquations make_equations(const OrthonormalBasis& basis, double level,
                                   const QuadraturePointCounts& size) const {
     const double support = support_energy(level, options_.tail);
     return formulation_.closure_equations(
-        support, make_confinement(level, options_.tail), basis,
+        support, make_exponent_confinement(level, options_.tail), basis,
         formulation_.quadrature_points_below_energy(support, size), size);
   }
 
-  // Returns the equations of order n, and the coefficients of the fit of Q_n to the initial guess.
-  // The basis is orthonormal under the initial guess.
+  // Returns the equations of closure order n, and the coefficients of the fit of the polynomial Q_n
+  // to the initial guess. The basis of the exponent is orthonormal under the density of the initial
+  // guess.
   StartingPoint make_starting_point(const ClosureDensity& guess, int n, double level,
                                     const QuadraturePointCounts& size) const {
     const double support = support_energy(level, options_.tail);
-    const Confinement confinement = make_confinement(level, options_.tail);
+    const ExponentConfinement confinement = make_exponent_confinement(level, options_.tail);
     const QuadraturePoints points = formulation_.quadrature_points_below_energy(support, size);
     VectorXd exponent(points.size()), mass(points.size());
     for (Index i = 0; i < points.size(); ++i) {
       exponent[i] = level == guess.level
                         ? guess.q(points.s[i], points.t[i])
-                        : formulation_.exponent_of_guess(guess, points.s[i], points.t[i]);
+                        : formulation_.exponent_of_initial_guess(guess, points.s[i], points.t[i]);
       mass[i] = exponent[i] + confinement(points.energy[i]);
     }
     mass = points.weight.array() * (mass.array() - mass.maxCoeff()).exp();
     mass /= mass.sum();
-    ClosureEquations equations =
-        formulation_.closure_equations(support, confinement, Basis(n, points, mass), points, size);
+    ClosureEquations equations = formulation_.closure_equations(
+        support, confinement, OrthonormalBasis(n, points, mass), points, size);
     VectorXd a = equations.fit_coefficients(
-        exponent, formulation_.fit_weights(guess, support, points, exponent, mass));
+        exponent, formulation_.weights_of_exponent_fit(guess, support, points, exponent, mass));
     return {std::move(equations), std::move(a)};
   }
 
-  NewtonOptions newton_options(SearchStage stage) const {
-    const bool last = stage == SearchStage::last;
+  NewtonOptions newton_options(RootSearchStage stage) const {
+    const bool last = stage == RootSearchStage::last;
     return {.tolerance = last ? options_.tolerance : kRoughTolerance,
             .max_iterations = options_.max_iterations,
             .polish = last};
   }
 
-  // If Newton's method fails, the end of a homotopy is a second starting point. Large systems
-  // follow no homotopy if another level has a root or kMostHomotopies have failed in this pass.
-  NewtonResult solve_from(const StartingPoint& start, SearchStage stage) {
+  // If Newton's method fails, the end of a homotopy path is a second starting point. For large
+  // systems no path is followed if another confinement level has a root, or after kMostHomotopies
+  // failed paths.
+  NewtonResult solve_from(const StartingPoint& start, RootSearchStage stage) {
     const NewtonOptions options = newton_options(stage);
     NewtonResult result = solve_by_newton(start.equations, start.a, unit_, options);
     iterations_ += result.iterations;
@@ -246,7 +252,7 @@ class RootSearch {
     --homotopies_left_;
     const numerics::SolutionCurve homotopy_curve =
         follow_homotopy(start.equations, start.a, [this] { return deadline_.has_passed(); });
-    const bool end_reached = homotopy_curve.end == numerics::TerminationReason::end_reached;
+    const bool end_reached = homotopy_curve.end == numerics::ContinuationTermination::end_reached;
     ++homotopies_;
     iterations_ += homotopy_curve.iterations;
     if (end_reached) {
@@ -277,7 +283,8 @@ class RootSearch {
   ClosureDensity closure_with_decay_end(const ClosureEquations& equations, const VectorXd& a,
                                         double level) const {
     ClosureDensity closure = make_closure_density(equations, a, level, options_.tail);
-    closure.end_of_decay = formulation_.end_of_decay(closure.q, closure.temperature);
+    closure.end_of_exponent_decay =
+        formulation_.end_of_exponent_decay(closure.q, closure.temperature);
     return closure;
   }
 
@@ -300,7 +307,7 @@ class RootSearch {
     root_.newton = result;
     root_.failure.clear();
     root_.closure = closure_with_decay_end(equations, result.a, level);
-    root_.decay_ratio = formulation_.decay_ratio(root_.closure, SearchStage::last);
+    root_.decay_ratio = formulation_.decay_ratio(root_.closure, RootSearchStage::last);
     root_.quadrature = size;
     root_.quadrature_change = quadrature_change;
     const Eigen::MatrixXd jacobian = equations.jacobian(density);
@@ -312,7 +319,7 @@ class RootSearch {
   }
 
   const ClosureFormulation& formulation_;
-  const Options& options_;
+  const ClosureOptions& options_;
   double unit_;
   base::Deadline deadline_;
   RootSearchResult root_;
@@ -323,8 +330,9 @@ class RootSearch {
 
 }  // namespace
 
-RootSearchResult find_root(const ClosureFormulation& formulation, const Options& options) {
-  return RootSearch(formulation, options).find_root_at_requested_order();
+RootSearchResult find_closure_root(const ClosureFormulation& formulation,
+                                   const ClosureOptions& options) {
+  return HalfPlaneRootSearch(formulation, options).find_root_at_requested_order();
 }
 
 }  // namespace fpkcheck::epc::half_plane

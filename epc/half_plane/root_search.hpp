@@ -14,10 +14,11 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// Root of the requested order, or the reason why the search failed.
+/// Root of the closure equations of the requested closure order, or the reason why the search for
+/// this root failed.
 struct RootSearchResult {
   ClosureDensity closure;
-  /// Density of order n - 2; empty for n = 2.
+  /// Closure density of closure order n - 2; empty for n = 2.
   std::optional<ClosureDensity> previous;
   double decay_ratio = 0;
   QuadraturePointCounts quadrature{};
@@ -25,8 +26,8 @@ struct RootSearchResult {
   double quadrature_change = 0;
   /// Whether the quadrature was not refined because the density is far from decayed.
   bool is_refinement_omitted = false;
-  /// Result of Newton's method at the requested order, or at the order that failed, with the number
-  /// of iterations of all orders.
+  /// Result of Newton's method at the requested closure order, or at the order that failed, with
+  /// the number of iterations of all orders.
   numerics::NewtonResult newton;
   double condition = 0;
   /// Eigenvalue with the largest real part of the linearised motion of the moments near the root
@@ -36,13 +37,14 @@ struct RootSearchResult {
   std::string failure;  ///< reason why no root was found; empty with a root
 };
 
-/// Stage of the root search, which sets the accuracy of the solution.
-enum class SearchStage {
+/// Stage of the search for a root of the closure equations, which sets the accuracy of the
+/// solution.
+enum class RootSearchStage {
   rough,  ///< intermediate order, whose root starts the search at the next order
   last    ///< stage at the requested order
 };
 
-/// Condition under which the search accepts the number of quadrature points.
+/// Condition under which the root search accepts the number of quadrature points.
 struct QuadratureRefinementCriterion {
   /// Method to determine how much the exponent Q_n changes if quadrature points are added.
   enum class ChangeMeasure {
@@ -54,25 +56,26 @@ struct QuadratureRefinementCriterion {
 };
 
 /// Interface between a formulation of the closure and the root search: coordinates, equations, and
-/// candidates for the confinement level. All energies are defined as in QuadraturePoints::energy.
+/// candidates for the confinement level. All energies of the formulation are defined as in
+/// QuadraturePoints::energy.
 class ClosureFormulation {
  public:
   virtual ~ClosureFormulation() = default;
 
-  /// Initial guess of the density at the lowest order n.
+  /// Initial guess of the density at the lowest closure order n.
   virtual ClosureDensity initial_density() const = 0;
-  /// Lowest order n that the root search solves before the requested order.
+  /// Lowest closure order n that the root search solves before the requested closure order.
   virtual int lowest_searched_order(int /*order*/) const { return 2; }
-  /// Whether the search at order n may start from initial_density() if the start from order n-2
-  /// finds no root.
+  /// Whether the search at closure order n may start from initial_density() if the start from
+  /// closure order n-2 finds no root.
   virtual bool can_start_at_any_order() const { return false; }
-  /// Unit of the residuals, half_plane::rate_of_change_unit().
+  /// Unit of the residuals of the moment equations, half_plane::rate_of_change_unit().
   virtual double rate_of_change_unit() const = 0;
   /// Candidates for the confinement level, as energies, in the order of the attempts.
   virtual std::vector<double> confinement_levels(const ClosureDensity& guess,
-                                                 SearchStage stage) const = 0;
+                                                 RootSearchStage stage) const = 0;
   /// Confinement level that is larger, and more suitable for the density of a root, than the level
-  /// with which the root was found. The result is empty if there is no such level.
+  /// with which the root was found. Without a better confinement level the result is empty.
   virtual std::optional<double> improved_confinement_level(
       const ClosureDensity& /*guess*/, const ClosureDensity& /*closure*/) const {
     return std::nullopt;
@@ -81,46 +84,50 @@ class ClosureFormulation {
   /// @param level_over_temperature confinement level divided by the temperature of the initial
   ///   guess
   virtual QuadraturePointCounts quadrature_point_counts(int order, double level_over_temperature,
-                                                        SearchStage stage) const = 0;
+                                                        RootSearchStage stage) const = 0;
   virtual QuadratureRefinementCriterion quadrature_refinement_criterion() const = 0;
   virtual QuadraturePoints quadrature_points_below_energy(
       double support, const QuadraturePointCounts& size) const = 0;
-  virtual ClosureEquations closure_equations(double support, const Confinement& confinement,
-                                             Basis basis, QuadraturePoints points,
+  virtual ClosureEquations closure_equations(double support, const ExponentConfinement& confinement,
+                                             OrthonormalBasis basis, QuadraturePoints points,
                                              const QuadraturePointCounts& size) const = 0;
 
-  /// Exponent of the initial guess. The formulation may replace Q_n where the exponent Q_n of the
-  /// initial guess rises again.
-  virtual double exponent_of_guess(const ClosureDensity& guess, double s, double t) const {
+  /// Exponent of the initial guess. The formulation may replace the polynomial Q_n of the initial
+  /// guess where this polynomial rises again.
+  virtual double exponent_of_initial_guess(const ClosureDensity& guess, double s, double t) const {
     return guess.q(s, t);
   }
-  /// Largest coordinate s up to which a polynomial Q_n falls (ClosureDensity::end_of_decay).
-  virtual double end_of_decay(const Polynomial& /*q*/, double /*temperature*/) const {
+  /// Largest coordinate s up to which a polynomial Q_n falls
+  /// (ClosureDensity::end_of_exponent_decay).
+  virtual double end_of_exponent_decay(const ExponentPolynomial& /*q*/,
+                                       double /*temperature*/) const {
     return std::numeric_limits<double>::infinity();
   }
   /// Weight of each quadrature point in the fit of the exponent Q_n to the initial guess.
   /// @param exponent exponent of the initial guess at the points
   /// @param mass probability of the initial guess at the points
-  virtual Eigen::VectorXd fit_weights(const ClosureDensity& /*guess*/, double /*support*/,
-                                      const QuadraturePoints& /*points*/,
-                                      const Eigen::VectorXd& /*exponent*/,
-                                      const Eigen::VectorXd& mass) const {
+  virtual Eigen::VectorXd weights_of_exponent_fit(const ClosureDensity& /*guess*/,
+                                                  double /*support*/,
+                                                  const QuadraturePoints& /*points*/,
+                                                  const Eigen::VectorXd& /*exponent*/,
+                                                  const Eigen::VectorXd& mass) const {
     return mass;
   }
 
   /// Largest density in the region where the density should have decayed, relative to the peak
   /// density.
-  virtual double decay_ratio(const ClosureDensity& closure, SearchStage stage) const = 0;
+  virtual double decay_ratio(const ClosureDensity& closure, RootSearchStage stage) const = 0;
   /// Largest decay ratio with which the root search accepts a confinement level.
-  virtual double decay_ratio_limit(SearchStage stage) const = 0;
+  virtual double decay_ratio_limit(RootSearchStage stage) const = 0;
 };
 
-/// Searches for the root of the requested order by solving the even orders in turn. Each order
-/// starts from the density of order n - 2, on a domain adapted to that density. If the start from
-/// order n - 2 fails, formulations with can_start_at_any_order() restart from the initial density.
-/// Each order uses the first confinement level at which the density has decayed, or else the level
-/// with the smallest decay ratio. At the requested order the number of quadrature points grows
-/// until the quadrature resolves the root.
-RootSearchResult find_root(const ClosureFormulation& formulation, const Options& options);
+/// Searches for the root of the requested closure order by solving the even orders in turn. The
+/// search at each closure order n starts from the density of closure order n - 2, on a domain
+/// adapted to this density. If this start fails, formulations with can_start_at_any_order() restart
+/// from the initial density. The search at each order uses the first confinement level at which the
+/// density has decayed, or else the level with the smallest decay ratio. At the requested closure
+/// order the number of quadrature points grows until the quadrature resolves the root.
+RootSearchResult find_closure_root(const ClosureFormulation& formulation,
+                                   const ClosureOptions& options);
 
 }  // namespace fpkcheck::epc::half_plane

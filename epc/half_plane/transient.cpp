@@ -168,7 +168,7 @@ QuadraturePointCounts scale_point_counts(const QuadraturePointCounts& size, doub
 class Evolution {
  public:
   Evolution(const ClosureFormulation& formulation, const problem::Problem& problem,
-            const Options& options, const EvolutionRequest& request)
+            const ClosureOptions& options, const EvolutionRequest& request)
       : formulation_(formulation),
         problem_(problem),
         options_(options),
@@ -189,7 +189,7 @@ class Evolution {
                   scales_.velocity_deviation / start_.velocity_deviation});
     QuadraturePointCounts size = scale_point_counts(
         formulation_.quadrature_point_counts(
-            options_.order, stationary_level() / stationary_.temperature, SearchStage::last),
+            options_.order, stationary_level() / stationary_.temperature, RootSearchStage::last),
         std::sqrt(narrowness));
     for (int left = kMostRefinements;; --left) {
       ClosureEvolution evolution = integrate_moments(size, density_of, left > 0);
@@ -211,10 +211,10 @@ class Evolution {
   // Returns the density of the stationary closure, or the initial density of the search if no root
   // was found.
   ClosureDensity stationary_density() const {
-    const RootSearchResult root = find_root(formulation_, options_);
+    const RootSearchResult root = find_closure_root(formulation_, options_);
     ClosureDensity density = root.failure.empty() ? root.closure : formulation_.initial_density();
     if (!(density.level > 0)) {
-      density.level = formulation_.confinement_levels(density, SearchStage::last).front();
+      density.level = formulation_.confinement_levels(density, RootSearchStage::last).front();
     }
     return density;
   }
@@ -229,7 +229,7 @@ class Evolution {
 
   VectorXd exponent_of_stationary_density(const QuadraturePoints& points) const {
     return VectorXd::NullaryExpr(points.size(), [&](Index i) {
-      return formulation_.exponent_of_guess(stationary_, points.s[i], points.t[i]);
+      return formulation_.exponent_of_initial_guess(stationary_, points.s[i], points.t[i]);
     });
   }
 
@@ -261,11 +261,12 @@ class Evolution {
     return level;
   }
 
-  ClosureEquations make_equations(Basis basis, double level, const QuadraturePointCounts& size,
+  ClosureEquations make_equations(OrthonormalBasis basis, double level,
+                                  const QuadraturePointCounts& size,
                                   QuadraturePoints points) const {
     return formulation_.closure_equations(support_energy(level, options_.tail),
-                                          make_confinement(level, options_.tail), std::move(basis),
-                                          std::move(points), size);
+                                          make_exponent_confinement(level, options_.tail),
+                                          std::move(basis), std::move(points), size);
   }
 
   // Returns the integrator of the moment equations. The coefficients hold the last density.
@@ -276,7 +277,7 @@ class Evolution {
     constexpr double kLongestStep = 1e-2;
     const double tolerance = time_tolerance(options_.order);
     std::optional<double> max_step;
-    if (problem_.time.is_present()) max_step = kLongestStep * times_.back();
+    if (problem_.time.is_acting()) max_step = kLongestStep * times_.back();
     return {
         {.rate =
              [&](double t, const VectorXd& m, Eigen::Ref<VectorXd> rate) {
@@ -309,13 +310,13 @@ class Evolution {
     // In one period the slowest mode loses the fraction decayed_fraction() of its distance to the
     // periodic state, which is the change per period.
     const double tolerance = kPeriodicDistance * problem::decayed_fraction(scales_, times_.back());
-    const numerics::FixedPoint found = numerics::solve_fixed_point(
+    const numerics::FixedPointResult found = numerics::solve_fixed_point(
         [&](const VectorXd& from) -> std::optional<VectorXd> {
           if (deadline_.has_passed() || !coefficients.find_coefficients(from)) return std::nullopt;
           numerics::BdfIntegrator integrator = moment_integrator(equations, coefficients, from);
           const bool is_reached = integrator.advance_to_time(times_.back());
           evolution.steps += integrator.step_count();
-          return is_reached ? std::optional(integrator.state()) : std::nullopt;
+          return is_reached ? std::optional(integrator.current_state()) : std::nullopt;
         },
         moments,
         {.size = [](const VectorXd& change) { return change.lpNorm<Eigen::Infinity>(); },
@@ -350,7 +351,7 @@ class Evolution {
     const VectorXd mixture =
         0.5 * (start_mass + normalised_mass(points, exponent_of_stationary_density(points)));
     const ClosureEquations equations =
-        make_equations(Basis(options_.order, points, mixture), level, size, points);
+        make_equations(OrthonormalBasis(options_.order, points, mixture), level, size, points);
     const QuadraturePointCounts finer = scale_point_counts(size, 1.5);
     const ClosureEquations fine_equations =
         make_equations(equations.basis(), level, finer,
@@ -378,7 +379,7 @@ class Evolution {
     double& change = evolution.quadrature_change;
     for (const double time : times_) {
       if ((time > 0 && !integrator.advance_to_time(time)) ||
-          !coefficients.find_coefficients(integrator.state())) {
+          !coefficients.find_coefficients(integrator.current_state())) {
         evolution.status = Status::not_converged;
         const double last = evolution.snapshots.empty() ? 0 : evolution.snapshots.back().time;
         evolution.reason =
@@ -449,7 +450,7 @@ class Evolution {
 
   const ClosureFormulation& formulation_;
   const problem::Problem& problem_;
-  const Options& options_;
+  const ClosureOptions& options_;
   problem::InitialGaussian start_;
   std::vector<double> times_;
   bool is_periodic_;
@@ -462,7 +463,7 @@ class Evolution {
 }  // namespace
 
 ClosureEvolution solve_evolution(const ClosureFormulation& formulation,
-                                 const problem::Problem& problem, const Options& options,
+                                 const problem::Problem& problem, const ClosureOptions& options,
                                  const EvolutionRequest& request,
                                  const DensityOfClosure& density_of) {
   return Evolution(formulation, problem, options, request).solve_with_refinement(density_of);

@@ -37,7 +37,7 @@ using DensityOfClosure = std::function<transform::SmoothDensity(const ClosureDen
 /// additional quadrature points change the density.
 /// @param options order n and tail of the closure
 ClosureEvolution solve_evolution(const ClosureFormulation& formulation,
-                                 const problem::Problem& problem, const Options& options,
+                                 const problem::Problem& problem, const ClosureOptions& options,
                                  const EvolutionRequest& request,
                                  const DensityOfClosure& density_of);
 

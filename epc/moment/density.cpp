@@ -9,8 +9,9 @@
 
 namespace fpkcheck::epc::moment {
 
-transform::SmoothDensity density_from_exponent(const Polynomial& q, const EnergyDomain& domain,
-                                               const half_plane::Confinement& confinement,
+transform::SmoothDensity density_from_exponent(const ExponentPolynomial& q,
+                                               const EnergyDomain& domain,
+                                               const half_plane::ExponentConfinement& confinement,
                                                double log_constant) {
   return {.value =
               [q, domain, confinement, log_constant](double y, double v) {
@@ -22,9 +23,9 @@ transform::SmoothDensity density_from_exponent(const Polynomial& q, const Energy
           .y_min = domain.y_low()};
 }
 
-half_plane::Contour domain_edge_contour(const EnergyDomain& domain) {
+half_plane::DensityContour domain_edge_contour(const EnergyDomain& domain) {
   constexpr int kPoints = 48;
-  half_plane::Contour contour;
+  half_plane::DensityContour contour;
   for (const problem::HalfCycle& part : domain.y_intervals()) {
     // The area A inside the contour has dA/dh = integral of dy/|v| over the points (y, +-v), with y
     // = centre + half_length sin(phi).
@@ -33,7 +34,7 @@ half_plane::Contour domain_edge_contour(const EnergyDomain& domain) {
     for (int i = 0; i < kPoints; ++i) {
       const double phi = std::numbers::pi * ((i + 0.5) / kPoints - 0.5);
       const double y = centre + half_length * std::sin(phi);
-      const double v = domain.v_half_width(y);
+      const double v = domain.velocity_half_width(y);
       const double dy = std::numbers::pi / kPoints * half_length * std::cos(phi);
       for (const double side : {1, -1}) {
         contour.push_back({.s = y, .t = side * v, .y = y, .v = side * v, .area = dy / v});
@@ -43,13 +44,13 @@ half_plane::Contour domain_edge_contour(const EnergyDomain& domain) {
   return contour;
 }
 
-double largest_exponent_on_contour(const Polynomial& q, const problem::Problem& problem,
+double largest_exponent_on_contour(const ExponentPolynomial& q, const problem::Problem& problem,
                                    double energy) {
   const EnergyDomain domain(problem, energy);
   double largest = -std::numeric_limits<double>::infinity();
   for (const problem::HalfCycle& part : domain.y_intervals()) {
-    const double at_low = domain.v_half_width(part.left);
-    const double at_high = part.right_is_wall ? domain.v_half_width(part.right) : 0;
+    const double at_low = domain.velocity_half_width(part.left);
+    const double at_high = part.right_is_wall ? domain.velocity_half_width(part.right) : 0;
     largest = std::max({largest, q(part.right, at_high), q(part.right, -at_high),
                         q(part.left, at_low), q(part.left, -at_low)});
   }
@@ -58,11 +59,12 @@ double largest_exponent_on_contour(const Polynomial& q, const problem::Problem& 
   return largest;
 }
 
-ExponentDecayScan scan_exponent_decay(const Polynomial& q, const problem::Problem& problem,
-                                      double first_energy, double last_energy, double depth) {
+ExponentDecayRange find_exponent_decay_range(const ExponentPolynomial& q,
+                                             const problem::Problem& problem, double first_energy,
+                                             double last_energy, double depth) {
   constexpr int kContoursBefore = 40;
   constexpr double kGrowth = 1.05;
-  ExponentDecayScan fall{-std::numeric_limits<double>::infinity(), std::nullopt};
+  ExponentDecayRange fall{-std::numeric_limits<double>::infinity(), std::nullopt};
   for (int i = 1; i <= kContoursBefore; ++i) {
     fall.peak = std::max(
         fall.peak, largest_exponent_on_contour(q, problem, first_energy * i / kContoursBefore));
@@ -86,8 +88,9 @@ double density_ratio_at_confinement_level(const half_plane::ClosureDensity& clos
 }
 
 double density_ratio_at_edge(const half_plane::ClosureDensity& closure,
-                             const problem::Problem& problem, TailTreatment tail) {
-  const double confined = half_plane::make_confinement(closure.level, tail)(closure.support);
+                             const problem::Problem& problem, DensityTailTreatment tail) {
+  const double confined =
+      half_plane::make_exponent_confinement(closure.level, tail)(closure.support);
   return std::exp(largest_exponent_on_contour(closure.q, problem, closure.support) - closure.peak +
                   confined);
 }

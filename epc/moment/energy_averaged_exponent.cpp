@@ -21,7 +21,8 @@ EnergyAveragedExponent::EnergyAveragedExponent(const problem::EnergyAveraging& a
   constexpr double kBulk = 0.95;
   double below = 0;
   for (const Band& band : bands_) {
-    // The action oint v dy equals the period times the mean of v^2 over the period.
+    // The action integral oint v dy of an orbit equals the period times the mean of v^2 over the
+    // period.
     temperature_ += band.mass * band.orbit.action / band.orbit.period;
     if (below < kBulk) bulk_ = band.energy - bottom_;
     below += band.mass;
@@ -31,8 +32,7 @@ EnergyAveragedExponent::EnergyAveragedExponent(const problem::EnergyAveraging& a
   }
 }
 
-// If no orbit of the nearest energy contains the displacement y, the function uses the next higher
-// energy.
+// If no orbit of the nearest energy contains the displacement y, the next higher energy is used.
 const problem::EnergyAveraging::EnergyBand& EnergyAveragedExponent::nearest_band(
     double y, double energy) const {
   const double place = std::round((energy - bands_.front().energy) / step_);
@@ -65,7 +65,7 @@ double EnergyAveragedExponent::operator()(double y, double v) const {
   return -(band.potential + slope_of_exponent_above(band) * (energy - band.energy));
 }
 
-double EnergyAveragedExponent::energy_at_depth(double depth) const {
+double EnergyAveragedExponent::energy_at_exponent_depth(double depth) const {
   const auto within = std::find_if(bands_.rbegin(), bands_.rend(),
                                    [depth](const Band& band) { return band.potential <= depth; });
   const Band& band = within == bands_.rend() ? bands_.front() : *within;

@@ -15,15 +15,16 @@ class EnergyAveragedExponent {
   /// @pre the problem is confined
   explicit EnergyAveragedExponent(const problem::Problem& problem);
 
-  /// The exponent is linear in the energy between the bands of energy averaging, and extrapolated
-  /// beyond the last band.
+  /// The exponent of the energy-averaged density is linear in the energy between energy bands, and
+  /// extrapolated beyond the last band.
   double operator()(double y, double v) const;
 
   double temperature() const { return temperature_; }
-  /// Returns the smallest energy, relative to min V, above which Phi exceeds a depth.
-  double energy_at_depth(double depth) const;
-  /// Energy below which 95 % of the probability lies.
-  double bulk_energy() const { return bulk_; }
+  /// Returns the smallest energy, relative to the minimum of the potential V, above which the
+  /// function Phi of the exponent -Phi exceeds `depth`.
+  double energy_at_exponent_depth(double depth) const;
+  /// Energy below which 95 % of the probability of the energy-averaged density lies.
+  double energy_of_95_percent_quantile() const { return bulk_; }
   /// Largest energy at which the potential has several wells; 0 for a single well.
   double barrier_energy() const { return barrier_; }
 

@@ -19,7 +19,8 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kQuarterTurn = std::numbers::pi / 2;
 
-// Number of points of a panel that ends at a kink, in addition to its share of all points
+// Number of quadrature points of a panel that ends at a kink of a formula, in addition to its share
+// of all points
 constexpr int kExtraPoints = 8;
 
 // Returns the number of Gauss-Legendre points of each panel for a rule of about `point_count`
@@ -47,7 +48,8 @@ void concentrate_points_at_zero(QuadratureRule& rule) {
   }
 }
 
-// Returns Gauss-Legendre rules on the panels between successive ends, joined.
+// Returns one quadrature rule that joins the Gauss-Legendre rules of all panels between successive
+// panel ends.
 QuadratureRule join_panel_rules(const std::vector<double>& ends, int point_count) {
   const int points = points_per_panel(point_count, ends.size() - 1);
   QuadratureRule joined{{}, Eigen::VectorXd(static_cast<Eigen::Index>(ends.size() - 1) * points)};
@@ -91,7 +93,7 @@ double EnergyDomain::turning_point(double from, double towards) const {
   return (bracket.first + bracket.second) / 2;
 }
 
-double EnergyDomain::v_half_width(double y) const {
+double EnergyDomain::velocity_half_width(double y) const {
   return std::sqrt(std::max(0.0, 2 * (level_ - energy(y, 0))));
 }
 
@@ -110,8 +112,9 @@ double EnergyDomain::turning_point_behind_wall(double wall, double far) const {
 }
 
 EnergyDomain::SineMap EnergyDomain::sine_map_of(const HalfCycle& part) const {
-  // The half-width v_half_width() also has a singularity at the turning point that the motion would
-  // have behind a wall. The substitution y = a + b sin(phi) removes the singularities at both ends.
+  // The half-width velocity_half_width(y) also has a square-root singularity at the turning point
+  // that the motion would have behind a wall. The substitution y = a + b sin(phi) removes the
+  // singularities at the two ends of the domain.
   const double low =
       part.left_is_wall ? turning_point_behind_wall(part.left, part.right) : part.left;
   const double high =
@@ -138,7 +141,7 @@ QuadraturePoints EnergyDomain::quadrature_points(int y_points, int v_points) con
     for (Eigen::Index i = 0; i < phi.size(); ++i) {
       const double at = centre + half_length * std::sin(phi.points[i]);
       const double potential = energy(at, 0);
-      const double width = v_half_width(at);
+      const double width = velocity_half_width(at);
       const double y_weight = phi.weights[i] * half_length * std::cos(phi.points[i]);
       const std::vector<double> v_ends = panel_ends(-width, v_kinks_, width);
       for (std::size_t n = 0; n + 1 < v_ends.size(); ++n) {
@@ -165,7 +168,7 @@ QuadraturePoints EnergyDomain::quadrature_points(int y_points, int v_points) con
 }
 
 QuadratureRule EnergyDomain::left_wall_quadrature_rule(int point_count) const {
-  const double width = parts_.front().left_is_wall ? v_half_width(y_low()) : 0;
+  const double width = parts_.front().left_is_wall ? velocity_half_width(y_low()) : 0;
   if (width == 0) return {};
   std::vector<double> ends = panel_ends(0, kinks_of_restitution(*left_wall_, width), width);
   std::ranges::reverse(ends);
@@ -174,7 +177,7 @@ QuadratureRule EnergyDomain::left_wall_quadrature_rule(int point_count) const {
 }
 
 QuadratureRule EnergyDomain::right_wall_quadrature_rule(int point_count) const {
-  const double width = parts_.back().right_is_wall ? v_half_width(y_max()) : 0;
+  const double width = parts_.back().right_is_wall ? velocity_half_width(y_max()) : 0;
   if (width == 0) return {};
   return join_panel_rules(panel_ends(0, kinks_of_restitution(*right_wall_, width), width),
                           point_count);

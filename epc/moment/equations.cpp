@@ -12,7 +12,7 @@ namespace fpkcheck::epc::moment {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using half_plane::products_of_columns;
+using half_plane::products_of_basis_columns;
 
 namespace {
 
@@ -28,8 +28,8 @@ VectorXd total_force(const problem::System& system, const VectorXd& y, const Vec
   return damping.cwiseProduct(v) + y.unaryExpr(system.restoring_force());
 }
 
-// Quadrature points on the walls, with the velocities before and after an impact.
-struct IncomingWallPoints {
+// Quadrature points on the walls, with the velocities of the mass before and after an impact.
+struct PreImpactWallPoints {
   VectorXd y, before, after, weight;
 
   void add_wall(const problem::Wall& wall, const numerics::QuadratureRule& line) {
@@ -39,17 +39,17 @@ struct IncomingWallPoints {
       return both;
     };
     y = joined(y, VectorXd::Constant(line.size(), wall.position));
-    before = joined(before, line.point_vector());
-    after = joined(after, line.point_vector().unaryExpr([&](double v) {
+    before = joined(before, line.quadrature_points_as_vector());
+    after = joined(after, line.quadrature_points_as_vector().unaryExpr([&](double v) {
       return -wall.restitution_at_speed(std::abs(v)) * v;
     }));
     weight = joined(weight, line.weights);
   }
 };
 
-IncomingWallPoints incoming_wall_points(const problem::System& system, const EnergyDomain& domain,
-                                        int points) {
-  IncomingWallPoints all;
+PreImpactWallPoints incoming_wall_points(const problem::System& system, const EnergyDomain& domain,
+                                         int points) {
+  PreImpactWallPoints all;
   if (system.left_wall())
     all.add_wall(*system.left_wall(), domain.left_wall_quadrature_rule(points));
   if (system.right_wall())
@@ -61,8 +61,8 @@ IncomingWallPoints incoming_wall_points(const problem::System& system, const Ene
 
 half_plane::ClosureEquations closure_equations(
     const problem::Problem& problem, const std::vector<double>& rate_times_moment,
-    const EnergyDomain& domain, const half_plane::Confinement& confinement, half_plane::Basis basis,
-    half_plane::QuadraturePoints points, int wall_points) {
+    const EnergyDomain& domain, const half_plane::ExponentConfinement& confinement,
+    half_plane::OrthonormalBasis basis, half_plane::QuadraturePoints points, int wall_points) {
   const auto& system = problem.system;
   const int n = basis.order();
   const Eigen::Index point_count = points.size();
@@ -70,28 +70,28 @@ half_plane::ClosureEquations closure_equations(
   // A term with a time-dependent coefficient has two parts: the generator contains the term at the
   // largest excitation, and time_dependent_terms contains the difference from the largest
   // excitation.
-  const problem::TimeDependence& time = problem.time;
+  const problem::ExcitationTimeDependence& time = problem.time;
   std::vector<half_plane::TimeDependentTerm> time_dependent_terms;
   const auto add_term = [&](std::function<double(double)> factor) {
     time_dependent_terms.push_back({std::move(factor), MatrixXd(point_count, basis.size())});
   };
-  const bool has_variable_noise = problem.noise.is_present() && time.has_intensity_factor();
+  const bool has_variable_noise = problem.noise.is_acting() && time.has_intensity_factor();
   if (time.has_rate_factor()) add_term([time](double t) { return time.rate_factor(t) - 1; });
   if (has_variable_noise) add_term([time](double t) { return time.intensity_factor(t) - 1; });
-  if (time.has_external_force()) add_term([time](double t) { return time.force(t); });
+  if (time.has_external_force()) add_term([time](double t) { return time.external_force(t); });
 
   // L* h_p(y) g_q(v) = v h_p' g_q + h_p [ -(f + g) g_q' + D G g_q'' + sum_j .. g_q^(j) ]. White
   // noise adds the term of its diffusion coefficient D G. The derivatives are computed for blocks
   // of points, since tables for all points would take up to 90 MB.
-  constexpr Eigen::Index kBlockSize = 256;
+  constexpr Eigen::Index kPointsPerBlock = 256;
   MatrixXd generator_terms(point_count, basis.size());
-  for (Eigen::Index begin = 0; begin < point_count; begin += kBlockSize) {
-    const Eigen::Index rows = std::min(kBlockSize, point_count - begin);
+  for (Eigen::Index begin = 0; begin < point_count; begin += kPointsPerBlock) {
+    const Eigen::Index rows = std::min(kPointsPerBlock, point_count - begin);
     const VectorXd y = points.y.segment(begin, rows), v = points.v.segment(begin, rows);
     const auto y_tables = basis.polynomials_in_s().derivative_tables(y, 1);
     const auto v_tables = basis.polynomials_in_t().derivative_tables(v, n);
     const auto products = [&](const MatrixXd& of_y, const MatrixXd& of_v) {
-      return products_of_columns(basis.basis_functions(), of_y, of_v);
+      return products_of_basis_columns(basis.basis_functions(), of_y, of_v);
     };
     auto next_term = time_dependent_terms.begin();
     const auto store_term = [&](const MatrixXd& of_v) {
@@ -104,7 +104,7 @@ half_plane::ClosureEquations closure_equations(
       if (factor != 0) impulses += factor * v_tables[j];
     }
     if (time.has_rate_factor()) store_term(impulses);
-    if (problem.noise.is_present()) {
+    if (problem.noise.is_acting()) {
       const VectorXd diffusion = VectorXd::NullaryExpr(
           rows, [&](Eigen::Index i) { return noise_diffusion_coefficient(problem, y[i], v[i]); });
       const MatrixXd noise = diffusion.asDiagonal() * v_tables[2];
@@ -118,7 +118,7 @@ half_plane::ClosureEquations closure_equations(
         products(y_tables[0], impulses - force.asDiagonal() * v_tables[1]);
   }
 
-  const IncomingWallPoints wall = incoming_wall_points(system, domain, wall_points);
+  const PreImpactWallPoints wall = incoming_wall_points(system, domain, wall_points);
   const MatrixXd wall_basis_functions = basis.basis_values(wall.y, wall.before);
   half_plane::GalerkinTables tables{
       .weight = points.weight,

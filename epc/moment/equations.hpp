@@ -15,9 +15,9 @@ namespace fpkcheck::epc::moment {
 ///             + sum_{j=1}^n lambda E[Y^j]/j! d^j phi/dv^j,
 ///
 /// with the square G of the noise factor. The force f + g, the factor G and the restitution
-/// coefficient r may be formulas, which are evaluated at the quadrature points. The sum over j is
-/// finite, since phi is a polynomial. Each wall adds an impact term. For a right wall at y = b the
-/// impact term is
+/// coefficient r may be formulas, which are evaluated at the quadrature points. The sum over the
+/// impulse moments E[Y^j] is finite, since phi is a polynomial. Each wall adds an impact term. For
+/// a right wall at y = b the impact term is
 ///
 ///     int_{v>0} v p(b,v) [phi(b,-r v) - phi(b,v)] dv,    r = r(v).
 ///
@@ -27,7 +27,7 @@ namespace fpkcheck::epc::moment {
 /// @param wall_points number of quadrature points on each wall
 half_plane::ClosureEquations closure_equations(
     const problem::Problem& problem, const std::vector<double>& rate_times_moment,
-    const EnergyDomain& domain, const half_plane::Confinement& confinement, half_plane::Basis basis,
-    half_plane::QuadraturePoints points, int wall_points);
+    const EnergyDomain& domain, const half_plane::ExponentConfinement& confinement,
+    half_plane::OrthonormalBasis basis, half_plane::QuadraturePoints points, int wall_points);
 
 }  // namespace fpkcheck::epc::moment

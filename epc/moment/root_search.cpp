@@ -17,16 +17,18 @@
 namespace fpkcheck::epc::moment {
 namespace {
 
-using half_plane::Basis;
 using half_plane::ClosureDensity;
-using half_plane::Confinement;
+using half_plane::ExponentConfinement;
+using half_plane::OrthonormalBasis;
 using half_plane::QuadraturePointCounts;
 using half_plane::QuadraturePoints;
 using half_plane::QuadratureRefinementCriterion;
-using half_plane::SearchStage;
+using half_plane::RootSearchStage;
 
-// Products lambda E[Y^j], j = 0 .. n; 0 for terms that the equation lacks.
-std::vector<double> rates_times_moments(const problem::Problem& problem, const Options& options) {
+// Products lambda E[Y^j] of impulse rate and moments, j = 0 .. n; 0 for terms that the equation
+// lacks.
+std::vector<double> rates_times_moments(const problem::Problem& problem,
+                                        const ClosureOptions& options) {
   std::vector<double> moments(options.order + 1);
   const int last = effective_equation(options) == DensityEquation::white ? 2 : options.order;
   for (int j = 1; j <= last; ++j) moments[j] = problem.impulses.rate_times_moment(j);
@@ -38,7 +40,8 @@ double depth_at_deviations(double deviations) { return deviations * deviations /
 class MomentFormulation : public half_plane::ClosureFormulation {
  public:
   // @param temperature approximation of E[v^2]
-  MomentFormulation(const problem::Problem& problem, const Options& options, double temperature)
+  MomentFormulation(const problem::Problem& problem, const ClosureOptions& options,
+                    double temperature)
       : problem_(problem),
         tail_(options.tail),
         rate_moment_(rates_times_moments(problem, options)),
@@ -49,9 +52,9 @@ class MomentFormulation : public half_plane::ClosureFormulation {
   // Candidates for the confinement level: the energy at which exp(Q_n) of the initial guess is
   // negligible, if such an energy exists, then candidate_levels().
   std::vector<double> confinement_levels(const ClosureDensity& guess,
-                                         SearchStage stage) const override {
+                                         RootSearchStage stage) const override {
     std::vector<double> levels = candidate_levels(guess);
-    if (stage == SearchStage::rough || guess.q.terms().empty()) return levels;
+    if (stage == RootSearchStage::rough || guess.q.terms().empty()) return levels;
     const auto whole = negligible_level(guess, levels.front(), guess);
     if (whole) levels.insert(levels.begin(), *whole);
     return levels;
@@ -64,9 +67,9 @@ class MomentFormulation : public half_plane::ClosureFormulation {
   }
 
   QuadratureRefinementCriterion quadrature_refinement_criterion() const override {
-    // Kinks that are oblique to the axes limit the order of the quadrature. The tolerance of
-    // formulas is below the limit of solve(), and more points would not reduce the error of the
-    // closure.
+    // Kinks of a formula along lines oblique to the axes limit the order of the quadrature. The
+    // quadrature tolerance for formulas is below the limit of solve_closure(), and more quadrature
+    // points would not reduce the error of the closure.
     const double tolerance = problem_.system.has_polynomial_force() ? 1e-9 : 1e-7;
     return {QuadratureRefinementCriterion::ChangeMeasure::estimated, tolerance};
   }
@@ -76,25 +79,27 @@ class MomentFormulation : public half_plane::ClosureFormulation {
     return EnergyDomain(problem_, support).quadrature_points(size.s, size.t);
   }
 
-  half_plane::ClosureEquations closure_equations(double support, const Confinement& confinement,
-                                                 Basis basis, QuadraturePoints points,
+  half_plane::ClosureEquations closure_equations(double support,
+                                                 const ExponentConfinement& confinement,
+                                                 OrthonormalBasis basis, QuadraturePoints points,
                                                  const QuadraturePointCounts& size) const override {
     return moment::closure_equations(problem_, rate_moment_, EnergyDomain(problem_, support),
                                      confinement, std::move(basis), std::move(points), size.wall);
   }
 
-  // Decay ratio at the confinement level for intermediate orders, and at the edge of the support
-  // for the requested order.
-  double decay_ratio(const ClosureDensity& closure, SearchStage stage) const override {
-    return stage == SearchStage::rough ? density_ratio_at_confinement_level(closure, problem_)
-                                       : density_ratio_at_edge(closure, problem_, tail_);
+  // Decay ratio at the confinement level for intermediate closure orders, and at the edge of the
+  // support for the requested closure order.
+  double decay_ratio(const ClosureDensity& closure, RootSearchStage stage) const override {
+    return stage == RootSearchStage::rough ? density_ratio_at_confinement_level(closure, problem_)
+                                           : density_ratio_at_edge(closure, problem_, tail_);
   }
-  double decay_ratio_limit(SearchStage stage) const override {
-    return stage == SearchStage::rough ? kIntermediateLevelDensity : kEdgeDensityLimit;
+  double decay_ratio_limit(RootSearchStage stage) const override {
+    return stage == RootSearchStage::rough ? kIntermediateLevelDensity : kMaxSupportEdgeDensity;
   }
 
  protected:
-  // Candidates for the confinement level at which a density like the initial guess has decayed.
+  // Candidates for the confinement level at which a density similar to the initial guess has
+  // decayed.
   virtual std::vector<double> candidate_levels(const ClosureDensity& guess) const = 0;
   virtual std::pair<double, double> energy_scan_range(double from,
                                                       const ClosureDensity& guess) const = 0;
@@ -102,15 +107,16 @@ class MomentFormulation : public half_plane::ClosureFormulation {
   const problem::Problem& problem_;
 
  private:
-  // Energy at which the exponent Q_n of a density lies kNegligibleDepth below its peak; empty if
-  // the scan finds no such energy.
+  // Energy at which the exponent Q_n of a density lies kNegligibleExponentDepth below its peak;
+  // empty if the scan finds no such energy.
   std::optional<double> negligible_level(const ClosureDensity& closure, double from,
                                          const ClosureDensity& guess) const {
     const auto [begin, end] = energy_scan_range(from, guess);
-    return scan_exponent_decay(closure.q, problem_, begin, end, kNegligibleDepth).crossing;
+    return find_exponent_decay_range(closure.q, problem_, begin, end, kNegligibleExponentDepth)
+        .crossing;
   }
 
-  TailTreatment tail_;
+  DensityTailTreatment tail_;
   std::vector<double> rate_moment_;
   double rate_unit_;
 };
@@ -118,26 +124,27 @@ class MomentFormulation : public half_plane::ClosureFormulation {
 // Root search from the Gaussian density of equivalent linearisation.
 class LinearisedFormulation final : public MomentFormulation {
  public:
-  LinearisedFormulation(const problem::Problem& problem, const Options& options)
+  LinearisedFormulation(const problem::Problem& problem, const ClosureOptions& options)
       : LinearisedFormulation(problem, options, problem::motion_scales(problem)) {}
 
   ClosureDensity initial_density() const override {
     const double s1 = scales_.displacement_deviation, s2 = scales_.velocity_deviation;
-    return {.q = Polynomial({{1, 0, scales_.centre / (s1 * s1)},
-                             {2, 0, -1 / (2 * s1 * s1)},
-                             {0, 2, -1 / (2 * s2 * s2)}}),
+    return {.q = ExponentPolynomial({{1, 0, scales_.centre / (s1 * s1)},
+                                     {2, 0, -1 / (2 * s1 * s1)},
+                                     {0, 2, -1 / (2 * s2 * s2)}}),
             .temperature = s2 * s2};
   }
 
   QuadraturePointCounts quadrature_point_counts(int order, double level_over_temperature,
-                                                SearchStage stage) const override {
-    if (stage == SearchStage::rough) return {16 + 2 * order, 20 + 2 * order, 20 + 2 * order};
-    // The number of points grows more slowly than the width of the domain, since the density is
-    // small in the added part of a wider domain.
+                                                RootSearchStage stage) const override {
+    if (stage == RootSearchStage::rough) return {16 + 2 * order, 20 + 2 * order, 20 + 2 * order};
+    // The number of quadrature points grows more slowly than the width of the domain, since the
+    // density is small in the added part of a wider domain.
     const double deviations = std::sqrt(2 * level_over_temperature);
     const double width = std::pow(deviations / kLevelDeviations[0], 0.75);
     const auto widened = [&](int points) {
-      // prevents the loss of a quadrature point by rounding at a relative width of 1
+      // prevents the loss of a quadrature point by rounding if the relative width of the domain is
+      // 1
       constexpr double kRounding = 1e-9;
       return static_cast<int>(points * width * (1 + kRounding));
     };
@@ -151,7 +158,7 @@ class LinearisedFormulation final : public MomentFormulation {
   static constexpr std::array kLevelDeviations{6.5, 5.2, 8.0};
   static constexpr double kFarthestDeviations = 16;
 
-  LinearisedFormulation(const problem::Problem& problem, const Options& options,
+  LinearisedFormulation(const problem::Problem& problem, const ClosureOptions& options,
                         const problem::MotionScales& scales)
       : MomentFormulation(problem, options, scales.velocity_deviation * scales.velocity_deviation),
         scales_(scales) {}
@@ -170,39 +177,41 @@ class LinearisedFormulation final : public MomentFormulation {
   problem::MotionScales scales_;
 };
 
-// Root search from the density of energy averaging. The lowest order starts from the averaged
-// density. A higher order starts from the averaged density if the search from the next lower order
-// finds no root.
+// Root search from the density of energy averaging. The search at the lowest closure order starts
+// from the energy-averaged density. A higher order starts from the averaged density if the search
+// from the next lower order finds no root.
 class EnergyAveragedFormulation final : public MomentFormulation {
  public:
-  EnergyAveragedFormulation(const problem::Problem& problem, const Options& options)
+  EnergyAveragedFormulation(const problem::Problem& problem, const ClosureOptions& options)
       : EnergyAveragedFormulation(problem, options, EnergyAveragedExponent(problem)) {}
 
-  // The initial density has no polynomial Q_n: exponent_of_guess() evaluates the averaged density.
+  // The initial density has no polynomial Q_n: exponent_of_initial_guess() evaluates the averaged
+  // density.
   ClosureDensity initial_density() const override {
     return {.temperature = averaged_.temperature()};
   }
-  // The lowest order is 4: a Gaussian, order 2, approximates no ring-shaped density.
+  // The lowest closure order is 4, since a Gaussian (order 2) approximates no ring-shaped density.
   int lowest_searched_order(int order) const override { return std::min(order, 4); }
   bool can_start_at_any_order() const override { return true; }
 
   QuadraturePointCounts quadrature_point_counts(int order, double level_over_temperature,
-                                                SearchStage stage) const override {
+                                                RootSearchStage stage) const override {
     const double width = std::max(1.0, std::sqrt(2 * level_over_temperature) / kDeviations[0]);
-    const int least = stage == SearchStage::rough ? 20 : 32;
+    const int least = stage == RootSearchStage::rough ? 20 : 32;
     const auto widened = [&](int points) { return static_cast<int>(points * std::sqrt(width)); };
     return {widened(least + 8 + 2 * order), widened(least + 2 * order), widened(least + 2 * order)};
   }
 
-  double exponent_of_guess(const ClosureDensity& guess, double y, double v) const override {
+  double exponent_of_initial_guess(const ClosureDensity& guess, double y, double v) const override {
     return guess.q.terms().empty() ? averaged_(y, v) : guess.q(y, v);
   }
 
-  // In a fit to the averaged density the weights are a small power of the averaged density. The fit
-  // then also covers large energies, where Q_n might rise.
-  Eigen::VectorXd fit_weights(const ClosureDensity& guess, double, const QuadraturePoints& points,
-                              const Eigen::VectorXd& exponent,
-                              const Eigen::VectorXd& mass) const override {
+  // In a fit to the averaged density the weights are a small power of the averaged density. With
+  // these weights the fit also covers large energies, where the polynomial Q_n might rise.
+  Eigen::VectorXd weights_of_exponent_fit(const ClosureDensity& guess, double,
+                                          const QuadraturePoints& points,
+                                          const Eigen::VectorXd& exponent,
+                                          const Eigen::VectorXd& mass) const override {
     if (!guess.q.terms().empty()) return mass;
     constexpr double kFlatter = 1.0 / 3;
     const Eigen::VectorXd flat =
@@ -210,45 +219,49 @@ class EnergyAveragedFormulation final : public MomentFormulation {
     return flat / flat.sum();
   }
 
-  double decay_ratio(const ClosureDensity& closure, SearchStage stage) const override {
+  double decay_ratio(const ClosureDensity& closure, RootSearchStage stage) const override {
     const double ratio = MomentFormulation::decay_ratio(closure, stage);
-    if (stage == SearchStage::rough) return ratio;
+    if (stage == RootSearchStage::rough) return ratio;
     return std::max(ratio, density_ratio_at_confinement_level(closure, problem_) *
-                               (kEdgeDensityLimit / kPreferredLevelDensity));
+                               (kMaxSupportEdgeDensity / kPreferredLevelDensity));
   }
 
  private:
-  // Candidates d for the confinement level, the energy with Phi = d^2/2. A Gaussian density has
-  // the exponent -d^2/2 at d standard deviations.
+  // Candidates for the confinement level, given as numbers d: the level is the energy at which the
+  // exponent -Phi of the energy-averaged density is -d^2/2. A Gaussian density has the exponent
+  // -d^2/2 at d standard deviations.
   static constexpr std::array kDeviations{6.5, 7.2, 5.2, 8.0};
-  // Largest energy of a scan, relative to the first candidate for the confinement level.
+  // Largest energy in the scan of the exponent, relative to the first candidate for the confinement
+  // level.
   static constexpr double kLargestScanRatio = 8;
-  // Lower limits of the confinement level, in units of bulk_energy(). The confinement term (energy
-  // / level)^16 at bulk_energy() is then at most 5e-4 for kAboveBulk and 4e-8 for kFarAboveBulk.
+  // Smallest values of the confinement level, in units of energy_of_95_percent_quantile(). The
+  // confinement term (energy / level)^16 at energy_of_95_percent_quantile() is then at most 5e-4
+  // for kAboveBulk and 4e-8 for kFarAboveBulk.
   static constexpr double kAboveBulk = 1.6, kFarAboveBulk = 2.9;
   // Lower limit of the confinement level, in units of barrier_energy().
   static constexpr double kAboveBarrier = 1.3;
 
-  EnergyAveragedFormulation(const problem::Problem& problem, const Options& options,
+  EnergyAveragedFormulation(const problem::Problem& problem, const ClosureOptions& options,
                             EnergyAveragedExponent averaged)
       : MomentFormulation(problem, options, averaged.temperature()),
         averaged_(std::move(averaged)) {}
 
   std::vector<double> candidate_levels(const ClosureDensity& guess) const override {
-    const double least =
-        std::max(kAboveBulk * averaged_.bulk_energy(), kAboveBarrier * averaged_.barrier_energy());
+    const double least = std::max(kAboveBulk * averaged_.energy_of_95_percent_quantile(),
+                                  kAboveBarrier * averaged_.barrier_energy());
     const double warmer = std::clamp(guess.temperature / averaged_.temperature(), 0.5, 2.0);
     std::vector<double> levels;
     for (const double deviations : kDeviations) {
-      levels.push_back(
-          std::max(least, warmer * averaged_.energy_at_depth(depth_at_deviations(deviations))));
+      levels.push_back(std::max(
+          least, warmer * averaged_.energy_at_exponent_depth(depth_at_deviations(deviations))));
     }
     levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
     return levels;
   }
   std::pair<double, double> energy_scan_range(double from, const ClosureDensity&) const override {
-    return {std::max(from, kFarAboveBulk * averaged_.bulk_energy()),
-            kLargestScanRatio * averaged_.energy_at_depth(depth_at_deviations(kDeviations[0]))};
+    return {std::max(from, kFarAboveBulk * averaged_.energy_of_95_percent_quantile()),
+            kLargestScanRatio *
+                averaged_.energy_at_exponent_depth(depth_at_deviations(kDeviations[0]))};
   }
 
   EnergyAveragedExponent averaged_;
@@ -257,15 +270,16 @@ class EnergyAveragedFormulation final : public MomentFormulation {
 }  // namespace
 
 std::unique_ptr<half_plane::ClosureFormulation> make_formulation(const problem::Problem& problem,
-                                                                 const Options& options) {
-  if (starts_from_linearisation(problem)) {
+                                                                 const ClosureOptions& options) {
+  if (starts_from_equivalent_linearisation(problem)) {
     return std::make_unique<LinearisedFormulation>(problem, options);
   }
   return std::make_unique<EnergyAveragedFormulation>(problem, options);
 }
 
-half_plane::RootSearchResult find_root(const problem::Problem& problem, const Options& options) {
-  return half_plane::find_root(*make_formulation(problem, options), options);
+half_plane::RootSearchResult find_closure_root(const problem::Problem& problem,
+                                               const ClosureOptions& options) {
+  return half_plane::find_closure_root(*make_formulation(problem, options), options);
 }
 
 }  // namespace fpkcheck::epc::moment

@@ -24,21 +24,22 @@ using half_plane::RootSearchResult;
 constexpr double kQuadratureTolerance = 1e-6;
 
 transform::SmoothDensity density_from_exponent(const problem::Problem& problem,
-                                               const ClosureDensity& closure, TailTreatment tail) {
+                                               const ClosureDensity& closure,
+                                               DensityTailTreatment tail) {
   return density_from_exponent(closure.q, EnergyDomain(problem, closure.support),
-                               half_plane::make_confinement(closure.level, tail),
+                               half_plane::make_exponent_confinement(closure.level, tail),
                                -closure.log_normalisation);
 }
 
 // Returns the reason why a density is inadmissible: the density has not decayed on the edge of its
 // support, or decays by the confinement alone.
 std::string inadmissible_reason(double edge_density, double density_at_level,
-                                const LeadingForm& form) {
+                                const LeadingFormOfExponent& form) {
   const std::string behaviour = describe_leading_form(form, "(y, v) / deviations");
-  if (!(edge_density < kEdgeDensityLimit)) {
+  if (!(edge_density < kMaxSupportEdgeDensity)) {
     return fmt::format(
         "the density is {:.1e} of its peak on the edge of its support (limit {:.0e}), {}",
-        edge_density, kEdgeDensityLimit, behaviour);
+        edge_density, kMaxSupportEdgeDensity, behaviour);
   }
   if (!(density_at_level < kLevelDensityLimit)) {
     return fmt::format("exp(Q_n) is {:.1e} of its peak at the confinement level (limit {:.0e}), {}",
@@ -49,9 +50,9 @@ std::string inadmissible_reason(double edge_density, double density_at_level,
 
 }  // namespace
 
-Result solve(const problem::Problem& problem, const Options& options) {
-  const RootSearchResult root = find_root(problem, options);
-  Result result = half_plane::make_unassessed_result(root);
+ClosureResult solve_closure(const problem::Problem& problem, const ClosureOptions& options) {
+  const RootSearchResult root = find_closure_root(problem, options);
+  ClosureResult result = half_plane::make_unassessed_result(root);
   if (!root.failure.empty()) return result;
 
   auto& [solution, summary] = result;
@@ -60,13 +61,15 @@ Result solve(const problem::Problem& problem, const Options& options) {
   const auto marginals = store_density(problem, ImpactCondition::map, density, result);
   if (root.previous) {
     auto before = density_from_exponent(problem, *root.previous, options.tail);
-    before.y_min = density.y_min;  // the densities of order n and n-2 then have equal panels
-    summary.distance_to_previous =
-        distance(marginals, transform::quadrature_marginals(before, density.y_max, density.v_max));
+    // the densities of closure orders n and n-2 then have equal quadrature panels
+    before.y_min = density.y_min;
+    summary.distance_to_previous = summed_l1_distance(
+        marginals, transform::marginals_at_quadrature_points(before, density.y_max, density.v_max));
   }
   const StandardDeviations sigma = half_plane::root_mean_squares(marginals.moments);
   summary.leading_form = leading_form(
-      closure.q, sigma, problem.system.left_wall() ? DirectionSet::half : DirectionSet::whole);
+      closure.q, sigma,
+      problem.system.left_wall() ? PlaneDirectionRange::half : PlaneDirectionRange::whole);
   summary.frame =
       half_plane::closed_form_parameters(closure, options.tail, ExponentCoordinates::physical);
   summary.frame->coordinates = problem.frame;
@@ -85,7 +88,7 @@ Result solve(const problem::Problem& problem, const Options& options) {
   return result;
 }
 
-ClosureEvolution solve_evolution(const problem::Problem& problem, const Options& options,
+ClosureEvolution solve_evolution(const problem::Problem& problem, const ClosureOptions& options,
                                  const EvolutionRequest& request) {
   return half_plane::solve_evolution(*make_formulation(problem, options), problem, options, request,
                                      [&](const ClosureDensity& closure) {

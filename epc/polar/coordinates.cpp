@@ -13,7 +13,7 @@ namespace {
 
 // Returns the stiffness K of the potential V(y) = U(y) + (K - k) y^2/2 in Coordinates.
 double coordinate_stiffness(const problem::Problem& problem) {
-  // Lower limit of K, relative to the stiffness of equivalent linearisation
+  // Smallest stiffness K, relative to the stiffness of equivalent linearisation
   constexpr double kLeastStiffnessRatio = 0.1;
   return std::max(problem.system.stiffness(),
                   kLeastStiffnessRatio * problem::equivalent_linearisation(problem).stiffness);
@@ -31,7 +31,7 @@ numerics::Polynomial divide_by_power(const numerics::Polynomial& polynomial, std
 
 }  // namespace
 
-Coordinates::Coordinates(const problem::Problem& problem)
+AmplitudePhaseCoordinates::AmplitudePhaseCoordinates(const problem::Problem& problem)
     : potential_ratio_(
           divide_by_power(problem.system.potential(), 2, 2, coordinate_stiffness(problem))),
       potential_slope_ratio_(
@@ -39,8 +39,9 @@ Coordinates::Coordinates(const problem::Problem& problem)
       force_ratio_(
           divide_by_power(problem.system.restoring_force(), 1, 1, problem.system.stiffness())) {}
 
-double Coordinates::displacement_bound(double w) const {
-  // If one positive term of 2 V(y) equals w^2 at a displacement y, then 2 V(y) is at least w^2.
+double AmplitudePhaseCoordinates::displacement_bound(double w) const {
+  // If one of the positive terms of 2 V(y) equals w^2 at a displacement y, the sum 2 V(y) is at
+  // least w^2.
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t n = 0; n <= potential_ratio_.degree(); ++n) {
     if (!(potential_ratio_.coefficient(n) > 0)) continue;
@@ -50,7 +51,7 @@ double Coordinates::displacement_bound(double w) const {
   return least;
 }
 
-double Coordinates::displacement(double w) const {
+double AmplitudePhaseCoordinates::displacement(double w) const {
   if (w == 0) return 0;
   const auto excess = [&](double y) {
     return std::pair{this->sqrt_twice_potential(y) - w, sqrt_twice_potential_slope(y)};
@@ -64,23 +65,23 @@ double Coordinates::displacement(double w) const {
                                                     iterations);
 }
 
-amplitude::CoordinateRates Coordinates::coordinate_rates(const problem::System& system, double y,
-                                                         double rho, double theta) const {
+amplitude::CoordinateTimeDerivatives AmplitudePhaseCoordinates::coordinate_time_derivatives(
+    const problem::System& system, double y, double rho, double theta) const {
   const double sine = std::sin(theta), cosine = std::cos(theta), damping = system.damping();
   const double slope = sqrt_twice_potential_slope(y), force = force_over_sqrt_twice_potential(y);
   return {-damping * rho * sine * sine + rho * cosine * (slope - force) * sine,
           -slope * sine * sine - force * cosine * cosine - damping * sine * cosine};
 }
 
-std::vector<double> Coordinates::amplitude_break_points(const problem::ImpulseLaw& law,
-                                                        double rho_max) {
+std::vector<double> AmplitudePhaseCoordinates::amplitude_break_points(
+    const problem::ImpulseLaw& law, double rho_max) {
   std::vector<double> breaks;
-  for (const auto& atom : law.atoms()) {
+  for (const auto& atom : law.amplitude_atoms()) {
     const double at = std::abs(atom.amplitude);
     if (at > 0 && at < rho_max) breaks.push_back(at);
   }
   std::ranges::sort(breaks);
-  // Atoms of the law at -a and at a give equal amplitudes, up to rounding.
+  // Atoms of the impulse law at -a and at a give equal amplitudes of motion, up to rounding.
   const auto near = [](double a, double b) { return b - a < 1e-9 * b; };
   breaks.erase(std::unique(breaks.begin(), breaks.end(), near), breaks.end());
   return breaks;

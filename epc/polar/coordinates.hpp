@@ -16,25 +16,27 @@ namespace fpkcheck::epc::polar {
 ///     rho cos(theta) = w(y) = sqrt(2 V(y)),   rho sin(theta) = v,   -pi/2 <= theta <= pi/2,
 ///     V(y) = U(y) + (K - k) y^2/2,            h = rho^2/2 = v^2/2 + V(y).
 ///
-/// Along the undamped motion, rho is constant and theta decreases. An impact changes theta from
-/// -pi/2 to pi/2 and multiplies rho by r. The density has a jump at the origin, p(0,0+) r^2 =
-/// p(0,0-), which functions of theta can represent, unlike continuous functions of y and v.
+/// Along undamped free motion the amplitude rho is constant and the phase theta decreases. An
+/// impact changes the phase theta from -pi/2 to pi/2 and multiplies the amplitude rho by the
+/// restitution coefficient r. The stationary density has a jump at the origin, p(0,0+) r^2 =
+/// p(0,0-). Functions of the phase theta can represent this jump, unlike continuous functions of y
+/// and v.
 ///
 /// The stiffness K equals k = g'(0), and h is the energy, except for small k. For small k, K is a
 /// fraction of the stiffness of equivalent linearisation, since w(y) with K = k would nearly be a
 /// power of y above the first. The potential V does not include the mean of the impulses.
-class Coordinates {
+class AmplitudePhaseCoordinates {
  public:
   static constexpr ExponentCoordinates kVariables = ExponentCoordinates::polar;
 
-  explicit Coordinates(const problem::Problem& problem);
+  explicit AmplitudePhaseCoordinates(const problem::Problem& problem);
 
   /// Returns the speed w(y) = sqrt(2 V(y)), at which the kinetic energy equals V(y).
   double sqrt_twice_potential(double y) const { return y * sqrt_twice_potential_over_y(y); }
   double sqrt_twice_potential_slope(double y) const {
     return potential_slope_ratio_(y) / sqrt_twice_potential_over_y(y);
   }
-  /// Returns the displacement y with w(y) = w.
+  /// Returns the displacement y at which the speed w(y) = sqrt(2 V(y)) has the value w.
   double displacement(double w) const;
   double displacement_slope(double y) const { return 1 / sqrt_twice_potential_slope(y); }
   double amplitude_of(double y, double v) const { return std::hypot(sqrt_twice_potential(y), v); }
@@ -48,7 +50,8 @@ class Coordinates {
   }
   static double second_coordinate(double, double theta) { return theta; }
   static double phase(double, double theta) { return theta; }
-  /// Returns g(y) / w(y), which equals dw/dy if K = k.
+  /// Returns g(y) / w(y) with the restoring force g and w(y) = sqrt(2 V(y)); the ratio equals dw/dy
+  /// if the stiffness K of V equals k.
   double force_over_sqrt_twice_potential(double y) const {
     return force_ratio_(y) / sqrt_twice_potential_over_y(y);
   }
@@ -57,18 +60,20 @@ class Coordinates {
   ///
   ///     rho'   = -c rho sin^2 + (w w' - g) sin,
   ///     theta' = -w' sin^2 - (g/w) cos^2 - c sin cos,      sin, cos of theta.
-  amplitude::CoordinateRates coordinate_rates(const problem::System& system, double y, double rho,
-                                              double theta) const;
+  amplitude::CoordinateTimeDerivatives coordinate_time_derivatives(const problem::System& system,
+                                                                   double y, double rho,
+                                                                   double theta) const;
   /// Returns the derivatives of rho and of theta with respect to v: sin(theta) and cos(theta) /
   /// rho.
-  static amplitude::CoordinateRates velocity_derivatives(double rho, double theta) {
+  static amplitude::CoordinateTimeDerivatives velocity_derivatives(double rho, double theta) {
     return {std::sin(theta), std::cos(theta) / rho};
   }
   static double density_prefactor(double) { return 1; }
-  static double atom_weight() { return 0; }
-  /// Returns amplitudes below rho_max from which an impulse may stop the mass at the wall. At such
-  /// an amplitude the mean of a basis function over the impulses has a jump. Only the atoms of an
-  /// impulse law cause jumps of the mean.
+  static double relative_atom_probability() { return 0; }
+  /// Returns amplitudes below rho_max from which an impulse may stop the mass at the wall. The mean
+  /// of a basis function over the impulses has a jump at an amplitude from which an impulse may
+  /// stop the mass at the wall. Only the atoms of an impulse law cause such jumps of the mean of a
+  /// basis function.
   static std::vector<double> amplitude_break_points(const problem::ImpulseLaw& law, double rho_max);
   /// Returns one phase, since the coefficient of the highest power of rho does not depend on theta.
   static std::vector<double> leading_form_phases() { return {0}; }

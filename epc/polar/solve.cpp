@@ -22,21 +22,23 @@ using transform::QuadraturePanelSpacing;
 // error below kMissed with coarse panels.
 QuadraturePanelSpacing panels_for(const transform::SmoothDensity& density) {
   constexpr double kMissed = 1e-6;
-  const double mass = transform::quadrature_marginals(density, density.y_max, density.v_max,
-                                                      QuadraturePanelSpacing::graded)
+  const double mass = transform::marginals_at_quadrature_points(
+                          density, density.y_max, density.v_max, QuadraturePanelSpacing::graded)
                           .mass;
   return std::abs(mass - 1) < kMissed ? QuadraturePanelSpacing::graded
                                       : QuadraturePanelSpacing::geometric;
 }
 
-// Returns the marginal densities of order n-2, normalised on the box of the density of order n.
-transform::QuadratureMarginals previous_marginals(const Coordinates& coordinates,
+// Returns the marginal densities of closure order n-2, normalised on the bounding box of the
+// density of closure order n.
+transform::QuadratureMarginals previous_marginals(const AmplitudePhaseCoordinates& coordinates,
                                                   const ClosureDensity& previous,
                                                   const transform::SmoothDensity& density,
                                                   QuadraturePanelSpacing panels) {
-  const amplitude::PolarExponent q = amplitude::polar_exponent<Coordinates>(previous.q);
+  const amplitude::ExponentInPolarCoordinates q =
+      amplitude::polar_exponent<AmplitudePhaseCoordinates>(previous.q);
   const double near_peak = amplitude::exponent_with_gaussian_tail(q, previous, 0, 0);
-  transform::QuadratureMarginals before = transform::quadrature_marginals(
+  transform::QuadratureMarginals before = transform::marginals_at_quadrature_points(
       {.value =
            [&](double y, double v) {
              const double rho = coordinates.amplitude_of(y, v), theta = coordinates.phase_of(y, v);
@@ -52,9 +54,9 @@ transform::QuadratureMarginals previous_marginals(const Coordinates& coordinates
   return before;
 }
 
-amplitude::CoordinateFormulation<Coordinates> make_formulation(const problem::Problem& problem,
-                                                               const Coordinates& coordinates,
-                                                               const Options& options) {
+amplitude::CoordinateFormulation<AmplitudePhaseCoordinates> make_formulation(
+    const problem::Problem& problem, const AmplitudePhaseCoordinates& coordinates,
+    const ClosureOptions& options) {
   // The temperature is the mean square velocity plus the potential energy of the static deflection.
   // Equivalent linearisation does not include the potential energy of the static deflection.
   const problem::MotionScales scales = problem::motion_scales(problem);
@@ -66,19 +68,20 @@ amplitude::CoordinateFormulation<Coordinates> make_formulation(const problem::Pr
 }
 
 transform::SmoothDensity density_from_exponent(const ClosureDensity& closure,
-                                               const Coordinates& coordinates, TailTreatment tail) {
-  return amplitude::density_from_exponent(closure.q, coordinates, closure.support,
-                                          half_plane::make_confinement(closure.level, tail),
-                                          -closure.log_normalisation);
+                                               const AmplitudePhaseCoordinates& coordinates,
+                                               DensityTailTreatment tail) {
+  return amplitude::density_from_exponent(
+      closure.q, coordinates, closure.support,
+      half_plane::make_exponent_confinement(closure.level, tail), -closure.log_normalisation);
 }
 
 }  // namespace
 
-Result solve(const problem::Problem& problem, const Options& options) {
-  const Coordinates coordinates(problem);
+ClosureResult solve_closure(const problem::Problem& problem, const ClosureOptions& options) {
+  const AmplitudePhaseCoordinates coordinates(problem);
   const RootSearchResult root =
-      half_plane::find_root(make_formulation(problem, coordinates, options), options);
-  Result result = half_plane::make_unassessed_result(root);
+      half_plane::find_closure_root(make_formulation(problem, coordinates, options), options);
+  ClosureResult result = half_plane::make_unassessed_result(root);
   if (!root.failure.empty()) return result;
 
   const ClosureDensity& closure = root.closure;
@@ -87,16 +90,17 @@ Result solve(const problem::Problem& problem, const Options& options) {
   const QuadraturePanelSpacing panels = panels_for(density);
   const auto marginals = store_density(problem, ImpactCondition::map, density, result, panels);
   if (root.previous) {
-    result.summary.distance_to_previous =
-        distance(marginals, previous_marginals(coordinates, *root.previous, density, panels));
+    result.summary.distance_to_previous = summed_l1_distance(
+        marginals, previous_marginals(coordinates, *root.previous, density, panels));
   }
-  amplitude::assess_root(problem, coordinates, root, options.tail, density, "the density", result);
+  amplitude::assess_closure_root(problem, coordinates, root, options.tail, density, "the density",
+                                 result);
   return result;
 }
 
-ClosureEvolution solve_evolution(const problem::Problem& problem, const Options& options,
+ClosureEvolution solve_evolution(const problem::Problem& problem, const ClosureOptions& options,
                                  const EvolutionRequest& request) {
-  const Coordinates coordinates(problem);
+  const AmplitudePhaseCoordinates coordinates(problem);
   return half_plane::solve_evolution(make_formulation(problem, coordinates, options), problem,
                                      options, request, [&](const ClosureDensity& closure) {
                                        return density_from_exponent(closure, coordinates,

@@ -19,8 +19,8 @@ double monomial_average(double a, double b, int power) {
 
 // Returns the averages avg_c(xi^a), a < stencil_size, of the cells c from `first_cell`, with
 // xi = (x - origin)/scale; row a, column c - first_cell.
-Eigen::MatrixXd monomial_averages(const Axis& axis, int first_cell, int stencil_size, double origin,
-                                  double scale) {
+Eigen::MatrixXd monomial_averages(const GridAxis& axis, int first_cell, int stencil_size,
+                                  double origin, double scale) {
   Eigen::MatrixXd averages(stencil_size, stencil_size);
   for (int c = 0; c < stencil_size; ++c) {
     const double left = (axis.face_position(first_cell + c) - origin) / scale;
@@ -32,7 +32,7 @@ Eigen::MatrixXd monomial_averages(const Axis& axis, int first_cell, int stencil_
 
 // Returns weights w with sum_c w_c avg_c(xi^a) = functional(a), a < stencil_size, over the cells c
 // from `first_cell`, with xi = (x - origin)/scale.
-Eigen::VectorXd exact_stencil_weights(const Axis& axis, int first_cell, int stencil_size,
+Eigen::VectorXd exact_stencil_weights(const GridAxis& axis, int first_cell, int stencil_size,
                                       double origin, double scale,
                                       const std::function<double(int)>& functional) {
   Eigen::VectorXd exact(stencil_size);
@@ -48,8 +48,9 @@ AxisOperator sparse_matrix_from_entries(int rows, int columns, const Triplets& e
   return matrix;
 }
 
-// Appends the matrix entries of a stencil. Cells outside the axis have density 0 and no entry.
-void append_stencil(Triplets& entries, const Axis& axis, int row, int first_cell,
+// Appends the matrix entries of one finite-volume stencil. Cells outside the axis have density 0
+// and no matrix entry.
+void append_stencil(Triplets& entries, const GridAxis& axis, int row, int first_cell,
                     const Eigen::VectorXd& weights) {
   for (int c = 0; c < weights.size(); ++c) {
     const int cell = first_cell + c;
@@ -59,33 +60,37 @@ void append_stencil(Triplets& entries, const Axis& axis, int row, int first_cell
   }
 }
 
-// Returns the first cell of a stencil, moved left so that the stencil crosses no boundary.
-int clamp_at_right_boundary(const Axis& axis, int first, int stencil_size) {
+// Returns the first cell of a finite-volume stencil, moved left so that the stencil crosses no
+// wall.
+int clamp_at_right_boundary(const GridAxis& axis, int first, int stencil_size) {
   return axis.right_end_condition() != AxisEndCondition::vacuum
              ? std::min(first, axis.cell_count() - stencil_size)
              : first;
 }
 
-// Returns the first cell of a stencil, moved right so that the stencil crosses no boundary.
-int clamp_at_left_boundary(const Axis& axis, int first, int limit) {
+// Returns the first cell of a finite-volume stencil, moved right so that the stencil crosses no
+// wall.
+int clamp_at_left_boundary(const GridAxis& axis, int first, int limit) {
   return limit > 0 || axis.left_end_condition() == AxisEndCondition::boundary
              ? std::max(first, limit)
              : first;
 }
 
-// Returns the first cell of the stencil of an inner face.
-int first_face_stencil_cell(const Axis& axis, int face, int stencil_size,
-                            UpstreamSide upstream_side) {
+// Returns the first cell of the finite-volume stencil of an inner face.
+int first_face_stencil_cell(const GridAxis& axis, int face, int stencil_size,
+                            UpstreamSideOfFace upstream_side) {
   const int upstream =
-      upstream_side == UpstreamSide::left ? (stencil_size + 1) / 2 : stencil_size / 2;
+      upstream_side == UpstreamSideOfFace::left ? (stencil_size + 1) / 2 : stencil_size / 2;
   return clamp_at_right_boundary(axis, clamp_at_left_boundary(axis, face - upstream, 0),
                                  stencil_size);
 }
 
-// Returns the matrix of a functional, such as the value at xi = 0, on every inner face. The local
-// coordinate is xi = (x - x_face)/width, and the functional is divided by width^derivative.
-AxisOperator inner_face_operator(const Axis& axis, int stencil_size, UpstreamSide upstream_side,
-                                 int derivative, const std::function<double(int)>& functional) {
+// Returns the matrix that maps cell averages to a functional of the density at every inner face,
+// such as the value of the density. The local coordinate is xi = (x - x_face)/width, and the
+// functional is divided by width^derivative.
+AxisOperator inner_face_operator(const GridAxis& axis, int stencil_size,
+                                 UpstreamSideOfFace upstream_side, int derivative,
+                                 const std::function<double(int)>& functional) {
   Triplets entries;
   for (int f = 1; f < axis.cell_count(); ++f) {
     const int first = first_face_stencil_cell(axis, f, stencil_size, upstream_side);
@@ -99,9 +104,9 @@ AxisOperator inner_face_operator(const Axis& axis, int stencil_size, UpstreamSid
 }
 
 // Basis functions of densities with a kink (DensityKink), with x in units of `length`.
-class KinkedBasis {
+class KinkedReconstructionBasis {
  public:
-  KinkedBasis(const DensityKink& kink, double length)
+  KinkedReconstructionBasis(const DensityKink& kink, double length)
       : decay_(kink.decay * length), drift_(kink.drift * length) {}
 
   double basis_function_value(int index, double x) const {
@@ -126,13 +131,14 @@ class KinkedBasis {
   double decay_, drift_;
 };
 
-// Replaces the rows of stencils with cells on both sides of x = 0, by stencils that are exact for
-// the basis functions of the kink. The functional returns the value or derivative of a basis
-// function at x, which the stencil must reproduce.
+// Replaces the stencils with cells on both sides of x = 0 by stencils that are exact for densities
+// with a kink at x = 0. The argument `functional` returns the value or the derivative of a basis
+// function that the stencil must reproduce.
 template <class Functional>
-AxisOperator with_kinked_stencils(const AxisOperator& smooth, const Axis& axis, int stencil_size,
-                                  UpstreamSide upstream_side, const DensityKink& kink,
-                                  int derivative, const Functional& functional) {
+AxisOperator with_kinked_stencils(const AxisOperator& smooth, const GridAxis& axis,
+                                  int stencil_size, UpstreamSideOfFace upstream_side,
+                                  const DensityKink& kink, int derivative,
+                                  const Functional& functional) {
   using Gauss = boost::math::quadrature::gauss<double, 10>;
   Triplets entries;
   for (int f = 0; f <= axis.cell_count(); ++f) {
@@ -146,7 +152,7 @@ AxisOperator with_kinked_stencils(const AxisOperator& smooth, const Axis& axis, 
       continue;
     }
     const double width = axis.cell_width(f);
-    const KinkedBasis basis(kink, width);
+    const KinkedReconstructionBasis basis(kink, width);
     Eigen::MatrixXd averages(stencil_size, stencil_size);
     Eigen::VectorXd exact(stencil_size);
     for (int c = 0; c < stencil_size; ++c) {
@@ -168,7 +174,7 @@ AxisOperator with_kinked_stencils(const AxisOperator& smooth, const Axis& axis, 
   return sparse_matrix_from_entries(axis.cell_count() + 1, axis.cell_count(), entries);
 }
 
-int first_stencil_cell(const Axis& axis, int i, int stencil_size, std::optional<int> barrier) {
+int first_stencil_cell(const GridAxis& axis, int i, int stencil_size, std::optional<int> barrier) {
   const bool beyond = barrier && i >= *barrier;
   int first = clamp_at_left_boundary(axis, i - stencil_size / 2, beyond ? *barrier : 0);
   if (barrier && !beyond) first = std::min(first, *barrier - stencil_size);
@@ -180,31 +186,35 @@ double monomial_slope_at_zero(int power) { return power == 1 ? 1.0 : 0.0; }
 
 }  // namespace
 
-AxisOperator face_value_operator(const Axis& axis, int stencil_size, UpstreamSide upstream_side) {
+AxisOperator face_value_operator(const GridAxis& axis, int stencil_size,
+                                 UpstreamSideOfFace upstream_side) {
   return inner_face_operator(axis, stencil_size, upstream_side, 0, monomial_value_at_zero);
 }
 
-AxisOperator face_derivative_operator(const Axis& axis, int stencil_size) {
-  return inner_face_operator(axis, stencil_size, UpstreamSide::left, 1, monomial_slope_at_zero);
+AxisOperator face_derivative_operator(const GridAxis& axis, int stencil_size) {
+  return inner_face_operator(axis, stencil_size, UpstreamSideOfFace::left, 1,
+                             monomial_slope_at_zero);
 }
 
-AxisOperator face_value_operator(const Axis& axis, int stencil_size, UpstreamSide upstream_side,
-                                 const DensityKink& kink) {
-  return with_kinked_stencils(
-      face_value_operator(axis, stencil_size, upstream_side), axis, stencil_size, upstream_side,
-      kink, 0,
-      [](const KinkedBasis& basis, int a, double x) { return basis.basis_function_value(a, x); });
+AxisOperator face_value_operator(const GridAxis& axis, int stencil_size,
+                                 UpstreamSideOfFace upstream_side, const DensityKink& kink) {
+  return with_kinked_stencils(face_value_operator(axis, stencil_size, upstream_side), axis,
+                              stencil_size, upstream_side, kink, 0,
+                              [](const KinkedReconstructionBasis& basis, int a, double x) {
+                                return basis.basis_function_value(a, x);
+                              });
 }
 
-AxisOperator face_derivative_operator(const Axis& axis, int stencil_size, const DensityKink& kink) {
+AxisOperator face_derivative_operator(const GridAxis& axis, int stencil_size,
+                                      const DensityKink& kink) {
   return with_kinked_stencils(face_derivative_operator(axis, stencil_size), axis, stencil_size,
-                              UpstreamSide::left, kink, 1,
-                              [](const KinkedBasis& basis, int a, double x) {
+                              UpstreamSideOfFace::left, kink, 1,
+                              [](const KinkedReconstructionBasis& basis, int a, double x) {
                                 return basis.basis_function_derivative(a, x);
                               });
 }
 
-AxisOperator end_value_operator(const Axis& axis, AxisEnd end, int stencil_size) {
+AxisOperator end_value_operator(const GridAxis& axis, AxisEnd end, int stencil_size) {
   Triplets entries;
   const bool left = end == AxisEnd::left;
   const int last = axis.cell_count(), first_cell = left ? 0 : last - stencil_size;
@@ -215,14 +225,15 @@ AxisOperator end_value_operator(const Axis& axis, AxisEnd end, int stencil_size)
   return sparse_matrix_from_entries(1, last, entries);
 }
 
-AxisOperator weighted_average_operator(const Axis& axis, int stencil_size,
+AxisOperator weighted_average_operator(const GridAxis& axis, int stencil_size,
                                        const numerics::Polynomial& weight,
                                        std::optional<int> barrier) {
   Triplets entries;
   const std::size_t degree = weight.degree();
   for (int i = 0; i < axis.cell_count(); ++i) {
     const int first = first_stencil_cell(axis, i, stencil_size, barrier);
-    // Repeated Horner division gives the expansion weight(x_i + h_i xi) = sum_q local[q] xi^q.
+    // Repeated Horner division expands the polynomial weight(x) about the cell centre x_i:
+    // weight(x_i + h_i xi) = sum_q local[q] xi^q, with the cell width h_i.
     auto local = weight.coefficients();
     for (std::size_t q = 0; q <= degree; ++q) {
       for (std::size_t s = degree; s-- > q;) local[s] += axis.cell_centre(i) * local[s + 1];
@@ -252,7 +263,8 @@ const std::vector<numerics::QuadraturePoint>& quadrature_points() {
 
 }  // namespace
 
-WeightedAverages::WeightedAverages(const Axis& axis, int stencil_size, std::optional<int> barrier)
+WeightedAverages::WeightedAverages(const GridAxis& axis, int stencil_size,
+                                   std::optional<int> barrier)
     : axis_(axis) {
   const auto& points = quadrature_points();
   Eigen::MatrixXd monomials(stencil_size, static_cast<Eigen::Index>(points.size()));
@@ -285,7 +297,7 @@ AxisOperator WeightedAverages::weighted_average_matrix(
   return sparse_matrix_from_entries(axis_.cell_count(), axis_.cell_count(), entries);
 }
 
-AxisOperator point_value_operator(const Axis& axis, int stencil_size,
+AxisOperator point_value_operator(const GridAxis& axis, int stencil_size,
                                   std::span<const double> fractions, std::optional<int> barrier) {
   Triplets entries;
   const int of_cell = static_cast<int>(fractions.size());
@@ -302,7 +314,7 @@ AxisOperator point_value_operator(const Axis& axis, int stencil_size,
   return sparse_matrix_from_entries(of_cell * axis.cell_count(), axis.cell_count(), entries);
 }
 
-AxisOperator divergence_operator(const Axis& axis) {
+AxisOperator divergence_operator(const GridAxis& axis) {
   Triplets entries;
   for (int i = 0; i < axis.cell_count(); ++i) {
     entries.emplace_back(i, i, -1 / axis.cell_width(i));

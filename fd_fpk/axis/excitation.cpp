@@ -15,15 +15,15 @@ double default_regularisation_length(const problem::ImpulseLaw& law) {
   return std::sqrt(law.moment(6) / (5 * law.moment(4)));
 }
 
-Excitation white_noise_excitation(const problem::ImpulseTrain& impulses) {
+DiscreteExcitation white_noise_excitation(const problem::ImpulseTrain& impulses) {
   return {.drift = impulses.rate_times_moment(1),
           .diffusion = impulses.rate_times_moment(2) / 2,
           .exchange = {}};
 }
 
-Excitation kramers_moyal_excitation(const problem::ImpulseTrain& impulses, const Axis& axis,
-                                    double regularisation_length) {
-  Excitation result = white_noise_excitation(impulses);
+DiscreteExcitation kramers_moyal_excitation(const problem::ImpulseTrain& impulses,
+                                            const GridAxis& axis, double regularisation_length) {
+  DiscreteExcitation result = white_noise_excitation(impulses);
   // delta_l^4 p / l^4 = (p(v+2l) - 4 p(v+l) + 6 p(v) - 4 p(v-l) + p(v-2l)) / l^4
   // delta_l^3 p / l^3 = (p(v+2l) - 2 p(v+l) + 2 p(v-l) - p(v-2l)) / (2 l^3)
   const double fourth = impulses.rate_times_moment(4) / 24 / std::pow(regularisation_length, 4);
@@ -48,13 +48,13 @@ double pade_kernel_length_squared(const problem::ImpulseTrain& impulses) {
   return impulses.rate_times_moment(4) / 24 / d2 - a * a;
 }
 
-Excitation kramers_moyal_pade_excitation(const problem::ImpulseTrain& impulses, const Axis& axis,
-                                         int scheme_order) {
+DiscreteExcitation kramers_moyal_pade_excitation(const problem::ImpulseTrain& impulses,
+                                                 const GridAxis& axis, int scheme_order) {
   const double d2 = impulses.rate_times_moment(2) / 2;
   const double a = impulses.rate_times_moment(3) / 6 / d2;
   const double b = pade_kernel_length_squared(impulses);
   const Eigen::MatrixXd slope =
-      divergence_operator(axis) * face_value_operator(axis, scheme_order, UpstreamSide::left);
+      divergence_operator(axis) * face_value_operator(axis, scheme_order, UpstreamSideOfFace::left);
   const Eigen::MatrixXd curvature =
       divergence_operator(axis) * face_derivative_operator(axis, scheme_order);
   const Eigen::MatrixXd denominator =
@@ -63,24 +63,24 @@ Excitation kramers_moyal_pade_excitation(const problem::ImpulseTrain& impulses, 
   return {.drift = impulses.rate_times_moment(1),
           .diffusion = 0,
           .exchange = denominator.partialPivLu().solve(numerator),
-          .exchange_diffusion = d2,
-          .exchange_rate = d2 / b};
+          .preconditioner_exchange_diffusion = d2,
+          .preconditioner_exchange_decay_rate = d2 / b};
 }
 
-Excitation jump_excitation(const problem::ImpulseTrain& impulses, const Axis& axis) {
+DiscreteExcitation jump_excitation(const problem::ImpulseTrain& impulses, const GridAxis& axis) {
   return {.drift = 0,
           .diffusion = 0,
           .exchange = impulses.arrival_rate() * jump_matrix(axis, impulses.amplitude_law()),
-          .exchange_drift = impulses.rate_times_moment(1),
-          .exchange_diffusion = impulses.rate_times_moment(2) / 2,
-          .exchange_rate = impulses.arrival_rate()};
+          .preconditioner_exchange_drift = impulses.rate_times_moment(1),
+          .preconditioner_exchange_diffusion = impulses.rate_times_moment(2) / 2,
+          .preconditioner_exchange_decay_rate = impulses.arrival_rate()};
 }
 
-AxisOperator drift_diffusion_matrix(const Axis& axis, const Excitation& excitation,
+AxisOperator drift_diffusion_matrix(const GridAxis& axis, const DiscreteExcitation& excitation,
                                     int scheme_order) {
   const AxisOperator flux =
       excitation.diffusion * face_derivative_operator(axis, scheme_order) -
-      excitation.drift * face_value_operator(axis, scheme_order, UpstreamSide::left);
+      excitation.drift * face_value_operator(axis, scheme_order, UpstreamSideOfFace::left);
   return divergence_operator(axis) * flux;
 }
 
@@ -90,14 +90,14 @@ FastestGrowingWave fastest_kramers_moyal_wave(const problem::ImpulseTrain& impul
                                               double cell_width, int stencil_size,
                                               double regularisation_length) {
   const int reach = excitation_half_bandwidth(regularisation_length, cell_width, stencil_size);
-  const Axis axis = Axis::with_uniform_cells(0, cell_width, 2 * reach + 1);
+  const GridAxis axis = GridAxis::with_uniform_cells(0, cell_width, 2 * reach + 1);
   return fastest_growing_wave(axis, kramers_moyal_excitation(impulses, axis, regularisation_length),
                               stencil_size);
 }
 
 }  // namespace
 
-FastestGrowingWave fastest_growing_wave(const Axis& axis, const Excitation& excitation,
+FastestGrowingWave fastest_growing_wave(const GridAxis& axis, const DiscreteExcitation& excitation,
                                         int stencil_size) {
   const int middle = axis.cell_count() / 2;
   Eigen::RowVectorXd row = drift_diffusion_matrix(axis, excitation, stencil_size).row(middle);
@@ -125,7 +125,7 @@ int excitation_half_bandwidth(double regularisation_length, double cell_width, i
   return static_cast<int>(std::ceil(2 * regularisation_length / cell_width)) + 4 * stencil_size;
 }
 
-bool is_unstable(const FastestGrowingWave& wave, const problem::ImpulseTrain& impulses) {
+bool is_growing_wave(const FastestGrowingWave& wave, const problem::ImpulseTrain& impulses) {
   constexpr double kRounding = 1e-9;
   return wave.rate > kRounding * impulses.arrival_rate();
 }
@@ -136,7 +136,8 @@ double shortest_stable_regularisation_length(const problem::ImpulseLaw& law) {
   return std::sqrt(4 * kLargestSine * (law.moment(4) / 24) / (law.moment(2) / 2));
 }
 
-std::vector<double> possibly_unstable_cell_widths(const Axis& axis, const problem::ImpulseLaw& law,
+std::vector<double> possibly_unstable_cell_widths(const GridAxis& axis,
+                                                  const problem::ImpulseLaw& law,
                                                   double regularisation_length) {
   constexpr double kSame = 1.05, kNarrow = 0.5;
   const bool are_narrow_cells_stable = regularisation_length >= default_regularisation_length(law);
@@ -156,7 +157,7 @@ double shortest_stable_regularisation_length(const problem::ImpulseTrain& impuls
   constexpr double kStep = 1.1, kClose = 1.001;
   const auto too_short = [&](double regularisation_length) {
     return std::ranges::any_of(widths, [&](double cell_width) {
-      return is_unstable(
+      return is_growing_wave(
           fastest_kramers_moyal_wave(impulses, cell_width, stencil_size, regularisation_length),
           impulses);
     });
@@ -173,7 +174,7 @@ double shortest_stable_regularisation_length(const problem::ImpulseTrain& impuls
   return longer;
 }
 
-double default_regularisation_length(const problem::ImpulseTrain& impulses, const Axis& axis,
+double default_regularisation_length(const problem::ImpulseTrain& impulses, const GridAxis& axis,
                                      int stencil_size) {
   const double regularisation_length = default_regularisation_length(impulses.amplitude_law());
   return shortest_stable_regularisation_length(

@@ -13,20 +13,22 @@ namespace fpkcheck::fd_fpk {
 
 /// Diffusion coefficient D(x1, x2) of multiplicative noise or parametric impulses, in the term
 /// (D p)''.
-struct VariableDiffusion {
+struct StateDependentDiffusion {
   std::function<double(double x1, double x2)> coefficient;
-  /// Derivative of D with respect to x2; empty if D depends on x1 alone
+  /// Derivative of the diffusion coefficient D with respect to the velocity x2; empty if D depends
+  /// on x1 alone
   std::function<double(double x1, double x2)> slope_in_x2 = {};
 };
 
-/// Parametric impulses: velocity jumps by b(x1) Y.
+/// Parametric impulses: velocity jumps by b(x1) Y with the impulse amplitude Y and a factor b of
+/// the displacement x1.
 struct ParametricImpulses {
   problem::ImpulseTrain train;
   problem::StateFunction factor;
 };
 
 /// Excitation terms of the density equation, discretised on a velocity axis.
-struct Excitation {
+struct DiscreteExcitation {
   double drift = 0;      ///< drift coefficient a in the term -a p'
   double diffusion = 0;  ///< diffusion coefficient D in the term D p''
   /// Matrix of the nonlocal terms, shape (cells, cells): velocity jumps, third and fourth
@@ -34,28 +36,29 @@ struct Excitation {
   /// vector of cell widths times the matrix is zero.
   Eigen::MatrixXd exchange;
   /// Drift, diffusion and decay rate by which the preconditioner approximates the exchange matrix.
-  /// The drift and the diffusion approximate the exchange matrix for long waves. Short waves decay
-  /// at the rate `exchange_rate`.
-  double exchange_drift = 0;
-  double exchange_diffusion = 0;
-  double exchange_rate = 0;
-  std::optional<VariableDiffusion> variable_diffusion = {};  ///< added to `diffusion`
-  /// Parametric impulses, which replace `exchange`. With parametric impulses, exchange_diffusion is
-  /// the diffusion coefficient for the factor b = 1.
+  /// Drift and diffusion approximate the exchange matrix of the impulses for long waves of the
+  /// density. In the preconditioner, short waves of the density decay at the rate
+  /// `preconditioner_exchange_decay_rate`.
+  double preconditioner_exchange_drift = 0;
+  double preconditioner_exchange_diffusion = 0;
+  double preconditioner_exchange_decay_rate = 0;
+  std::optional<StateDependentDiffusion> state_dependent_diffusion = {};  ///< added to `diffusion`
+  /// Parametric impulses, which replace `exchange`. With parametric impulses,
+  /// preconditioner_exchange_diffusion is the diffusion coefficient for the factor b = 1.
   std::optional<ParametricImpulses> parametric = {};
 
-  /// Returns whether the excitation is the same at every x1 and x2.
-  bool is_state_independent() const { return !variable_diffusion && !parametric; }
+  /// Returns whether the excitation is equal at every displacement x1 and velocity x2.
+  bool is_state_independent() const { return !state_dependent_diffusion && !parametric; }
 };
 
 /// Returns the parameter-free regularisation length l of the truncated series `km4`, with l^2 =
-/// E[Y^6] / (5 E[Y^4]). With the length l the leading error of the fourth difference equals the
-/// sixth term of the Kramers-Moyal series. The scheme with the regularisation length l is
-/// well-posed, since E[Y^6]/E[Y^4] >= E[Y^4]/E[Y^2] (Cauchy-Schwarz).
+/// E[Y^6] / (5 E[Y^4]). With this length l the leading error of the fourth difference over steps l
+/// equals the sixth term of the Kramers-Moyal series. The scheme with the regularisation length l
+/// is well-posed, since E[Y^6]/E[Y^4] >= E[Y^4]/E[Y^2] (Cauchy-Schwarz).
 double default_regularisation_length(const problem::ImpulseLaw& law);
 
 /// Returns the white-noise approximation of the impulses, -lambda E[Y] p' + lambda E[Y^2]/2 p''.
-Excitation white_noise_excitation(const problem::ImpulseTrain& impulses);
+DiscreteExcitation white_noise_excitation(const problem::ImpulseTrain& impulses);
 
 /// Returns the Kramers-Moyal series truncated after the fourth derivative. The series consists of
 /// drift, diffusion and two finite differences over the fixed step l:
@@ -63,8 +66,8 @@ Excitation white_noise_excitation(const problem::ImpulseTrain& impulses);
 ///     -lambda E[Y^3]/6 delta_l^3 p / l^3 + lambda E[Y^4]/24 delta_l^4 p / l^4.
 ///
 /// The literal scheme of the equation `km4` uses the cell width as the step l of the differences.
-Excitation kramers_moyal_excitation(const problem::ImpulseTrain& impulses, const Axis& axis,
-                                    double regularisation_length);
+DiscreteExcitation kramers_moyal_excitation(const problem::ImpulseTrain& impulses,
+                                            const GridAxis& axis, double regularisation_length);
 
 /// Returns the [2/2] Pade approximant of the truncated Kramers-Moyal series, with D_j = lambda
 /// E[Y^j]/j!, a = D3/D2 and b = D4/D2 - a^2:
@@ -74,23 +77,24 @@ Excitation kramers_moyal_excitation(const problem::ImpulseTrain& impulses, const
 /// For a symmetric law of the amplitudes, the Pade approximant is the generator of a compound
 /// Poisson process with Laplace jumps. The Pade approximant exists for b > 0.
 /// @param scheme_order even order of accuracy of the differences
-Excitation kramers_moyal_pade_excitation(const problem::ImpulseTrain& impulses, const Axis& axis,
-                                         int scheme_order);
+DiscreteExcitation kramers_moyal_pade_excitation(const problem::ImpulseTrain& impulses,
+                                                 const GridAxis& axis, int scheme_order);
 
 /// Returns the squared kernel length b = D4/D2 - a^2 of the Pade approximant. The Pade approximant
-/// is a bounded operator if b > 0.
+/// is a bounded operator if this squared length is positive.
 double pade_kernel_length_squared(const problem::ImpulseTrain& impulses);
 
 /// Returns the excitation by the jump integral lambda (E[p(x2 - Y)] - p).
-Excitation jump_excitation(const problem::ImpulseTrain& impulses, const Axis& axis);
+DiscreteExcitation jump_excitation(const problem::ImpulseTrain& impulses, const GridAxis& axis);
 
 /// Returns the matrix of drift and diffusion on the cell averages of the velocity axis, shape
-/// (cells, cells). The differences have the given even order of accuracy.
-AxisOperator drift_diffusion_matrix(const Axis& axis, const Excitation& excitation,
+/// (cells, cells). The finite differences of drift and diffusion have the given even order of
+/// accuracy.
+AxisOperator drift_diffusion_matrix(const GridAxis& axis, const DiscreteExcitation& excitation,
                                     int scheme_order);
 
-class Axis;
-struct Excitation;
+class GridAxis;
+struct DiscreteExcitation;
 
 /// The wave exp(i q x2) that grows fastest under the excitation terms alone.
 struct FastestGrowingWave {
@@ -98,13 +102,14 @@ struct FastestGrowingWave {
   double wavenumber;  ///< wavenumber q of the largest real part of the symbol
 };
 
-/// Computes the fastest growing wave from the symbol of the discrete excitation. The symbol follows
-/// from the middle row of the excitation matrix. The axis must be uniform and so long that the
-/// middle row contains no stencils shifted at the ends of the axis. A positive growth rate means
-/// that the discrete equation is unstable. The truncated Kramers-Moyal series has the symbol -D2
-/// q^2 + D4 q^4 with D4 > 0, so that the growth rate increases on finer grids.
+/// Computes the fastest growing wave from the symbol of the discrete excitation. The Fourier symbol
+/// of the excitation follows from the middle row of the excitation matrix. The velocity axis must
+/// have uniform cells. It must be so long that no stencil in the middle row of the excitation
+/// matrix is shifted by an end of the axis. A positive growth rate means that the discrete equation
+/// is unstable. The truncated Kramers-Moyal series has the symbol -D2 q^2 + D4 q^4 with D4 > 0, so
+/// that the growth rate increases on finer grids.
 /// @param stencil_size even number of cells in each stencil of the centred differences
-FastestGrowingWave fastest_growing_wave(const Axis& axis, const Excitation& excitation,
+FastestGrowingWave fastest_growing_wave(const GridAxis& axis, const DiscreteExcitation& excitation,
                                         int stencil_size);
 
 /// Returns the largest number of cells on each side of the middle cell that contribute to the
@@ -112,7 +117,7 @@ FastestGrowingWave fastest_growing_wave(const Axis& axis, const Excitation& exci
 int excitation_half_bandwidth(double regularisation_length, double cell_width, int stencil_size);
 
 /// Returns whether the growth rate of a wave exceeds zero by more than rounding errors.
-bool is_unstable(const FastestGrowingWave& wave, const problem::ImpulseTrain& impulses);
+bool is_growing_wave(const FastestGrowingWave& wave, const problem::ImpulseTrain& impulses);
 
 /// Returns the shortest regularisation length l for which the symbol -D2 q^2 + D4 (2 sin(q l / 2) /
 /// l)^4 is <= 0 for all wavenumbers q. The shortest regularisation length satisfies l^2 = 4
@@ -120,12 +125,13 @@ bool is_unstable(const FastestGrowingWave& wave, const problem::ImpulseTrain& im
 double shortest_stable_regularisation_length(const problem::ImpulseLaw& law);
 
 /// Returns the cell widths of an axis for which kramers_moyal_excitation with the regularisation
-/// length l may be unstable, in increasing order. Cell widths less than 5 % above the preceding
-/// width in the list are omitted. If l is at least the default regularisation length of the impulse
-/// law, only cells wider than l/2 can be unstable, since D4 / (D2 l^2) is at most 5/12. Up to D4 /
-/// (D2 l^2) = 5/12, the value of the two-point law, differences of every order are stable on cells
-/// not wider than l/2.
-std::vector<double> possibly_unstable_cell_widths(const Axis& axis, const problem::ImpulseLaw& law,
+/// length l may be unstable, in increasing order. The list omits cell widths less than 5 % above
+/// the preceding cell width in the list. If l is at least the default regularisation length of the
+/// impulse law, only cells wider than l/2 can be unstable, since D4 / (D2 l^2) is at most 5/12. Up
+/// to D4 / (D2 l^2) = 5/12, the value of the two-point law, differences of every order are stable
+/// on cells not wider than l/2.
+std::vector<double> possibly_unstable_cell_widths(const GridAxis& axis,
+                                                  const problem::ImpulseLaw& law,
                                                   double regularisation_length);
 
 /// Returns the shortest regularisation length, at least `min_length`, for which
@@ -140,7 +146,7 @@ double shortest_stable_regularisation_length(const problem::ImpulseTrain& impuls
 /// cells of the axis requires a longer length. For schemes of order 3 and higher, the returned
 /// length is at most 1.5 times the default length on cells up to ten times as wide as the default
 /// length.
-double default_regularisation_length(const problem::ImpulseTrain& impulses, const Axis& axis,
+double default_regularisation_length(const problem::ImpulseTrain& impulses, const GridAxis& axis,
                                      int stencil_size);
 
 }  // namespace fpkcheck::fd_fpk

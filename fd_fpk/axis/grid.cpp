@@ -7,55 +7,55 @@
 
 namespace fpkcheck::fd_fpk {
 
-Axis::Axis(std::vector<double> faces, AxisEndCondition left, AxisEndCondition right)
+GridAxis::GridAxis(std::vector<double> faces, AxisEndCondition left, AxisEndCondition right)
     : faces_(std::move(faces)), left_(left), right_(right) {}
 
-Axis Axis::with_uniform_cells(double origin, double cell_width, int cell_count,
-                              AxisEndCondition left_end_condition) {
+GridAxis GridAxis::with_uniform_cells(double origin, double cell_width, int cell_count,
+                                      AxisEndCondition left_end_condition) {
   std::vector<double> faces(cell_count + 1);
   for (int f = 0; f <= cell_count; ++f) faces[f] = origin + f * cell_width;
-  return Axis(std::move(faces), left_end_condition);
+  return GridAxis(std::move(faces), left_end_condition);
 }
 
-double Axis::face_position(int face) const {
+double GridAxis::face_position(int face) const {
   const int last = cell_count();
   if (face < 0) return faces_.front() + face * (faces_[1] - faces_[0]);
   if (face > last) return faces_.back() + (face - last) * (faces_[last] - faces_[last - 1]);
   return faces_[face];
 }
 
-double Axis::smallest_cell_width() const { return cell_widths().minCoeff(); }
+double GridAxis::smallest_cell_width() const { return cell_widths().minCoeff(); }
 
-Eigen::VectorXd Axis::cell_widths() const {
+Eigen::VectorXd GridAxis::cell_widths() const {
   Eigen::VectorXd widths(cell_count());
   for (int i = 0; i < cell_count(); ++i) widths(i) = cell_width(i);
   return widths;
 }
 
-Axis Axis::subaxis_above_face(int first_face) const {
-  return Axis(std::vector<double>(faces_.begin() + first_face, faces_.end()));
+GridAxis GridAxis::subaxis_above_face(int first_face) const {
+  return GridAxis(std::vector<double>(faces_.begin() + first_face, faces_.end()));
 }
 
-double graded_cell_count(double length, double step, const Grading& grading) {
+double graded_cell_count(double length, double step, const CellGrading& grading) {
   return (length + grading.reach * std::log1p(length / grading.core)) / step;
 }
 
-std::vector<double> graded_faces(double length, int cells, const Grading& grading) {
-  // With exactly uniform faces the stencil weights that vanish in theory are exactly 0, so that the
-  // operator is sparse.
+std::vector<double> graded_cell_faces(double length, int cells, const CellGrading& grading) {
+  // With exactly uniform cell faces the stencil weights that are 0 in exact arithmetic are also 0
+  // in floating point, and the operator is sparse.
   std::vector<double> uniform(cells + 1);
   for (int f = 0; f <= cells; ++f) uniform[f] = length * f / cells;
   if (grading.reach == 0) return uniform;
   const std::array origin{RefinementPoint{0, grading}};
   // The factor 1 + 1e-12 prevents an additional cell due to rounding errors.
   const double step = graded_cell_count(length, 1, grading) / cells * (1 + 1e-12);
-  return faces_graded_to_points(0, length, step, origin);
+  return cell_faces_graded_to_points(0, length, step, origin);
 }
 
-std::vector<double> faces_graded_to_points(double from, double to, double step,
-                                           std::span<const RefinementPoint> refinement_points,
-                                           const std::function<double(double)>& stretched) {
-  // Returns the number of cells below x, apart from an additive constant.
+std::vector<double> cell_faces_graded_to_points(double from, double to, double step,
+                                                std::span<const RefinementPoint> refinement_points,
+                                                const std::function<double(double)>& stretched) {
+  // Returns the number of grid cells below the position x, apart from an additive constant.
   const auto cells_to = [&](double x) {
     double cells = stretched(x);
     for (const auto& [centre, grading] : refinement_points) {
@@ -75,8 +75,8 @@ std::vector<double> faces_graded_to_points(double from, double to, double step,
     const int count = std::max(1, static_cast<int>(std::ceil(last - first - 1e-9)));
     for (int k = 1; k < count; ++k) {
       const double wanted = first + (last - first) * k / count;
-      // On a symmetric axis bisection gives a face at exactly 0, a special case of
-      // ConservativeRemap.
+      // On a symmetric axis, bisection places a cell face at exactly 0. The class ConservativeRemap
+      // treats a face at 0 as a special case.
       double below = faces.back(), above = ends[n + 1];
       for (int bisection = 0; bisection < 60; ++bisection) {
         const double middle = (below + above) / 2;
@@ -89,8 +89,8 @@ std::vector<double> faces_graded_to_points(double from, double to, double step,
   return faces;
 }
 
-std::vector<double> faces_from_width_function(std::span<const double> anchors,
-                                              const std::function<double(double)>& width) {
+std::vector<double> cell_faces_from_width_function(std::span<const double> anchors,
+                                                   const std::function<double(double)>& width) {
   constexpr double kStepFraction =
       0.05;  // fraction of a cell over which the cell width is nearly constant
   std::vector<double> faces{anchors.front()};
@@ -100,8 +100,8 @@ std::vector<double> faces_from_width_function(std::span<const double> anchors,
     x.assign(1, from);
     cells.assign(1, 0);
     while (x.back() < to) {
-      // The step length is a fraction of the smaller of the cell widths at the two ends of the
-      // step.
+      // The integration step along the axis is a fraction of the smaller cell width at the two ends
+      // of the step.
       double step = kStepFraction * width(x.back());
       step = std::min(step, kStepFraction * width(std::min(to, x.back() + step)));
       const double next = x.back() + step < to ? x.back() + step : to;
@@ -121,36 +121,36 @@ std::vector<double> faces_from_width_function(std::span<const double> anchors,
   return faces;
 }
 
-Eigen::VectorXd Grid::cell_areas() const {
+Eigen::VectorXd PhasePlaneGrid::cell_areas() const {
   Eigen::VectorXd areas(size());
-  Eigen::Map<Eigen::MatrixXd>(areas.data(), nv(), nx()) =
+  Eigen::Map<Eigen::MatrixXd>(areas.data(), v_cell_count(), nx()) =
       x2.cell_widths() * x1.cell_widths().transpose();
   return areas;
 }
 
-Grid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2,
-                    AxisEndCondition left, AxisEndCondition right) {
+PhasePlaneGrid symmetric_grid(std::vector<double> x1, const std::vector<double>& positive_x2,
+                              AxisEndCondition left, AxisEndCondition right) {
   std::vector<double> x2;  // x2 contains the face 0 once, as +0
   for (auto f = positive_x2.rbegin(); f + 1 != positive_x2.rend(); ++f) x2.push_back(-*f);
   x2.insert(x2.end(), positive_x2.begin(), positive_x2.end());
-  return {Axis(std::move(x1), left, right), Axis(std::move(x2))};
+  return {GridAxis(std::move(x1), left, right), GridAxis(std::move(x2))};
 }
 
-Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_grading,
-               const Grading& x2_grading) {
-  return symmetric_grid(graded_faces(x1_max, nx, x1_grading),
-                        graded_faces(x2_max, nv / 2, x2_grading));
+PhasePlaneGrid make_grid(int nx, int nv, double x1_max, double x2_max,
+                         const CellGrading& x1_grading, const CellGrading& x2_grading) {
+  return symmetric_grid(graded_cell_faces(x1_max, nx, x1_grading),
+                        graded_cell_faces(x2_max, nv / 2, x2_grading));
 }
 
-transform::GridDensity grid_density_from_averages(const Grid& grid,
+transform::GridDensity grid_density_from_averages(const PhasePlaneGrid& grid,
                                                   const Eigen::VectorXd& cell_averages) {
   return {grid.x1.faces(), grid.x2.faces(), {cell_averages.begin(), cell_averages.end()}};
 }
 
-BoxEdgeDensity box_edge_density(const Grid& grid, const Eigen::VectorXd& cell_averages,
+BoxEdgeDensity box_edge_density(const PhasePlaneGrid& grid, const Eigen::VectorXd& cell_averages,
                                 double peak_density) {
   BoxEdgeDensity wall{0, 0};
-  const Eigen::Index nx = grid.nx(), nv = grid.nv();
+  const Eigen::Index nx = grid.nx(), nv = grid.v_cell_count();
   const bool open_left = grid.x1.left_end_condition() == AxisEndCondition::vacuum;
   const bool open_right = grid.x1.right_end_condition() == AxisEndCondition::vacuum;
   for (Eigen::Index j = 0; j < nv; ++j) {

@@ -11,22 +11,25 @@ namespace fpkcheck::fd_fpk {
 
 enum class AxisEnd { left, right };
 
-/// Condition at an end of an axis. The condition `vacuum`, at an edge of the box, sets the density
-/// outside to zero. The condition `boundary`, at an impact wall, shifts stencils inwards. The
-/// condition `barrier`, for first passages, absorbs all motion that reaches the right end.
+/// Condition at an end of an axis. The condition `vacuum`, at an edge of the computational box,
+/// sets the density outside the computational box to zero. The condition `boundary`, at an impact
+/// wall, shifts finite-volume stencils inwards. The condition `barrier`, for first passages,
+/// absorbs all motion that reaches the right end of the axis.
 enum class AxisEndCondition { vacuum, boundary, barrier };
 
-class Axis {
+class GridAxis {
  public:
-  explicit Axis(std::vector<double> faces, AxisEndCondition left = AxisEndCondition::vacuum,
-                AxisEndCondition right = AxisEndCondition::vacuum);
-  /// Returns an axis with `cells` cells of the width `step`; the first cell begins at `origin`.
-  static Axis with_uniform_cells(double origin, double cell_width, int cell_count,
-                                 AxisEndCondition left_end_condition = AxisEndCondition::vacuum);
+  explicit GridAxis(std::vector<double> faces, AxisEndCondition left = AxisEndCondition::vacuum,
+                    AxisEndCondition right = AxisEndCondition::vacuum);
+  /// Returns a grid axis with `cell_count` cells of the width `cell_width`. The first cell begins
+  /// at `origin`.
+  static GridAxis with_uniform_cells(
+      double origin, double cell_width, int cell_count,
+      AxisEndCondition left_end_condition = AxisEndCondition::vacuum);
 
   int cell_count() const { return static_cast<int>(faces_.size()) - 1; }
-  /// Returns the position of a face. Indices beyond the end faces refer to vacuum cells outside the
-  /// axis, which are as wide as the outermost cell.
+  /// Returns the position of a cell face. An index beyond the end faces refers to a cell without
+  /// density outside the axis, which is as wide as the outermost cell.
   double face_position(int face) const;
   double cell_centre(int cell) const { return (face_position(cell) + face_position(cell + 1)) / 2; }
   double cell_width(int cell) const { return face_position(cell + 1) - face_position(cell); }
@@ -36,94 +39,99 @@ class Axis {
   AxisEndCondition right_end_condition() const { return right_; }
   const std::vector<double>& faces() const { return faces_; }
   Eigen::VectorXd cell_widths() const;
-  /// Returns an axis with the same faces and the given condition at the right end.
-  Axis with_right_end_condition(AxisEndCondition condition) const {
-    return Axis(faces_, left_, condition);
+  /// Returns a copy of this grid axis with another condition at the right end.
+  GridAxis with_right_end_condition(AxisEndCondition condition) const {
+    return GridAxis(faces_, left_, condition);
   }
-  /// Returns the part of the axis above an inner face, with the condition `vacuum` at both ends.
-  Axis subaxis_above_face(int first_face) const;
+  /// Returns the part of this grid axis above an inner cell face, with the end condition `vacuum`
+  /// at both ends.
+  GridAxis subaxis_above_face(int first_face) const;
 
  private:
   std::vector<double> faces_;
   AxisEndCondition left_, right_;
 };
 
-/// Parameters of cells whose width decreases towards x = 0. The number of cells between 0 and x is
-/// proportional to
+/// Parameters of grid cells whose width decreases towards x = 0. The number of cells between 0 and
+/// x is proportional to
 ///
 ///     x + reach log(1 + x / core).
 ///
 /// If h is the cell width far from the origin, the cell width at the origin is h / (1 +
 /// reach/core). The ratio of neighbouring cell widths is at most about 1 + h/reach. The value reach
 /// = 0 gives a uniform axis.
-struct Grading {
+struct CellGrading {
   double reach = 0;
   double core = 1;
 };
 
 /// Returns the faces 0 = x_0 < ... < x_cells = length of an axis with cells graded towards 0.
-std::vector<double> graded_faces(double length, int cells, const Grading& grading);
+std::vector<double> graded_cell_faces(double length, int cells, const CellGrading& grading);
 
-/// A point towards which the cell widths decrease.
+/// Point of a grid axis towards which the cell widths decrease.
 struct RefinementPoint {
   double x;
-  Grading grading;
+  CellGrading grading;
 };
 
-/// Returns faces from `from` to `to`, including every refinement point in this interval. Cells far
-/// from all refinement points have the width `step` in the coordinate `stretched`.
+/// Returns cell faces from the position `from` to the position `to`. Every refinement point between
+/// the two positions is a cell face. Cells far from all refinement points have the width `step` in
+/// the coordinate `stretched`.
 /// @param refinement_points refinement points in the order of their positions
 /// @param stretched increasing function of the position; the position itself by default
-std::vector<double> faces_graded_to_points(
+std::vector<double> cell_faces_graded_to_points(
     double from, double to, double step, std::span<const RefinementPoint> refinement_points,
     const std::function<double(double)>& stretched = [](double x) { return x; });
 
 /// Returns the unrounded number of cells of a graded axis whose cells have the width `step` far
 /// from the origin.
-double graded_cell_count(double length, double step, const Grading& grading);
+double graded_cell_count(double length, double step, const CellGrading& grading);
 
-/// Returns faces that include the given positions `anchors`. A whole number of cells, slightly
-/// narrower than `width` prescribes, fills each interval between anchors.
+/// Returns cell faces that include the given positions `anchors`. Each interval between two anchors
+/// has a whole number of cells, slightly narrower than the function `width` prescribes.
 /// @param anchors positions in increasing order, at least two
 /// @param width function that returns the cell width at a position, > 0. The relative change of the
 /// prescribed width over one cell must be small.
-std::vector<double> faces_from_width_function(std::span<const double> anchors,
-                                              const std::function<double(double)>& width);
+std::vector<double> cell_faces_from_width_function(std::span<const double> anchors,
+                                                   const std::function<double(double)>& width);
 
 /// Grid of rectangular cells on x1 in [x1_min, x1_max] and x2 in [-x2_max, x2_max]. If the problem
 /// has a wall, x1_min is 0. For the paper's oscillator the grid covers one half of the (z, z')
-/// plane; point symmetry gives the second half. The faces of x2 are symmetric about 0 and include
-/// 0. The unknowns are the averages of p(y, y') = 2 p(z, z') over the cells; cell (i, j) has the
-/// index i nv() + j.
-struct Grid {
-  Axis x1;  ///< axis of displacement, with an impact wall at each end with the condition `boundary`
-  Axis x2;
+/// plane; point symmetry gives the second half. The cell faces of the velocity axis x2 are
+/// symmetric about 0 and include 0. The unknowns are the averages of p(y, y') = 2 p(z, z') over the
+/// cells; cell (i, j) has the index i v_cell_count() + j.
+struct PhasePlaneGrid {
+  GridAxis
+      x1;  ///< axis of displacement, with an impact wall at each end with the condition `boundary`
+  GridAxis x2;
 
   int nx() const { return x1.cell_count(); }
-  int nv() const { return x2.cell_count(); }  ///< number of cells of x2, always even
-  int size() const { return nx() * nv(); }
+  int v_cell_count() const { return x2.cell_count(); }  ///< number of cells of x2, always even
+  int size() const { return nx() * v_cell_count(); }
   double x1_min() const { return x1.faces().front(); }
   double x1_max() const { return x1.faces().back(); }
   double x2_max() const { return x2.faces().back(); }
   Eigen::VectorXd cell_areas() const;
-  /// Returns the axis of speeds, the half x2 >= 0 of the velocity axis.
-  Axis speed_axis() const { return x2.subaxis_above_face(nv() / 2); }
+  /// Returns the axis of speeds: the half x2 >= 0 of the velocity axis.
+  GridAxis speed_axis() const { return x2.subaxis_above_face(v_cell_count() / 2); }
 };
 
 /// @param positive_x2_faces faces of x2 >= 0, increasing from 0; the grid adds the mirror images
 /// @param left,right conditions at the ends of x1
-Grid symmetric_grid(std::vector<double> x1_faces, const std::vector<double>& positive_x2_faces,
-                    AxisEndCondition left = AxisEndCondition::boundary,
-                    AxisEndCondition right = AxisEndCondition::vacuum);
+PhasePlaneGrid symmetric_grid(std::vector<double> x1_faces,
+                              const std::vector<double>& positive_x2_faces,
+                              AxisEndCondition left = AxisEndCondition::boundary,
+                              AxisEndCondition right = AxisEndCondition::vacuum);
 
 /// @param nx,nv numbers of cells in x1 and x2; nv even
-Grid make_grid(int nx, int nv, double x1_max, double x2_max, const Grading& x1_grading = {},
-               const Grading& x2_grading = {});
+PhasePlaneGrid make_grid(int nx, int nv, double x1_max, double x2_max,
+                         const CellGrading& x1_grading = {}, const CellGrading& x2_grading = {});
 
-transform::GridDensity grid_density_from_averages(const Grid& grid,
+transform::GridDensity grid_density_from_averages(const PhasePlaneGrid& grid,
                                                   const Eigen::VectorXd& cell_averages);
 
-/// Largest density in the cells along each edge of the box, relative to a peak density.
+/// Largest density in the cells along each edge of the computational box, relative to a peak
+/// density.
 struct BoxEdgeDensity {
   double x1;
   double x2;
@@ -131,7 +139,7 @@ struct BoxEdgeDensity {
 };
 
 /// @param peak_density peak density, to which the returned densities are relative
-BoxEdgeDensity box_edge_density(const Grid& grid, const Eigen::VectorXd& cell_averages,
+BoxEdgeDensity box_edge_density(const PhasePlaneGrid& grid, const Eigen::VectorXd& cell_averages,
                                 double peak_density);
 
 }  // namespace fpkcheck::fd_fpk

@@ -6,10 +6,9 @@
 
 namespace fpkcheck::fd_fpk {
 
-CumulativeDistributionInterpolation::CumulativeDistributionInterpolation(const Axis& axis,
-                                                                         int face_count,
-                                                                         AxisEndCondition left_end)
-    : axis_(axis), points_(std::min({face_count, axis.cell_count() + 1, kMostPoints})) {
+SpeedDistributionInterpolation::SpeedDistributionInterpolation(const GridAxis& axis, int face_count,
+                                                               AxisEndCondition left_end)
+    : axis_(axis), points_(std::min({face_count, axis.cell_count() + 1, kMaxInterpolationPoints})) {
   stencils_.reserve(axis.cell_count());
   for (int cell = 0; cell < axis.cell_count(); ++cell) {
     Stencil stencil{};
@@ -29,7 +28,7 @@ CumulativeDistributionInterpolation::CumulativeDistributionInterpolation(const A
   }
 }
 
-void CumulativeDistributionInterpolation::add_interpolation_weights(
+void SpeedDistributionInterpolation::add_interpolation_weights(
     double x, double factor, Eigen::Ref<Eigen::VectorXd> face_weights) const {
   const auto& faces = axis_.faces();
   const int last = axis_.cell_count();
@@ -42,7 +41,7 @@ void CumulativeDistributionInterpolation::add_interpolation_weights(
   const Stencil& stencil = stencils_[above - faces.begin() - 1];
   // The Lagrange weight prod_{b != a} (x - x_b) / (x_a - x_b) is the product over b < a times the
   // product over b > a.
-  std::array<double, kMostPoints> before;
+  std::array<double, kMaxInterpolationPoints> before;
   double product = factor;
   for (int a = 0; a < points_; ++a) {
     before[a] = product;
@@ -57,7 +56,7 @@ void CumulativeDistributionInterpolation::add_interpolation_weights(
   }
 }
 
-Eigen::VectorXd CumulativeDistributionInterpolation::to_average_weights(
+Eigen::VectorXd SpeedDistributionInterpolation::to_average_weights(
     const Eigen::Ref<const Eigen::VectorXd>& face_weights) const {
   Eigen::VectorXd weights(axis_.cell_count());
   double sum = 0;
@@ -70,15 +69,17 @@ Eigen::VectorXd CumulativeDistributionInterpolation::to_average_weights(
 
 namespace {
 
-AxisOperator exact_impact_map(const Axis& speed_axis, const problem::Wall& wall, int scheme_order) {
-  const CumulativeDistributionInterpolation cumulative(speed_axis, scheme_order + 1,
-                                                       AxisEndCondition::boundary);
+AxisOperator exact_impact_map(const GridAxis& speed_axis, const problem::Wall& wall,
+                              int scheme_order) {
+  const SpeedDistributionInterpolation cumulative(speed_axis, scheme_order + 1,
+                                                  AxisEndCondition::boundary);
   const int cells = speed_axis.cell_count();
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::VectorXd below = Eigen::VectorXd::Zero(cells + 1);
   for (int a = 0; a < cells; ++a) {
     Eigen::VectorXd above = Eigen::VectorXd::Zero(cells + 1);
-    // The last cell receives the flux of every higher speed, for conservation of the total flux.
+    // The last speed cell receives the probability flux of every higher speed, so that the total
+    // flux is conserved.
     const double face = a + 1 == cells
                             ? speed_axis.face_position(cells)
                             : problem::speed_before_impact(wall, speed_axis.face_position(a + 1));
@@ -95,11 +96,11 @@ AxisOperator exact_impact_map(const Axis& speed_axis, const problem::Wall& wall,
   return matrix;
 }
 
-AxisOperator first_order_impact_map(const Axis& speed_axis, const problem::Wall& wall,
+AxisOperator first_order_impact_map(const GridAxis& speed_axis, const problem::Wall& wall,
                                     int scheme_order) {
-  const Axis outgoing(speed_axis.faces(), AxisEndCondition::boundary);
+  const GridAxis outgoing(speed_axis.faces(), AxisEndCondition::boundary);
   const AxisOperator flux =
-      face_value_operator(outgoing, centred_stencil_size(scheme_order), UpstreamSide::left);
+      face_value_operator(outgoing, centred_stencil_size(scheme_order), UpstreamSideOfFace::left);
   AxisOperator speed(speed_axis.cell_count() + 1, speed_axis.cell_count() + 1);
   for (int f = 0; f <= speed_axis.cell_count(); ++f) {
     const double u = speed_axis.face_position(f);
@@ -113,7 +114,7 @@ AxisOperator first_order_impact_map(const Axis& speed_axis, const problem::Wall&
 
 }  // namespace
 
-AxisOperator impact_map(const Axis& speed_axis, const problem::Wall& wall,
+AxisOperator impact_map(const GridAxis& speed_axis, const problem::Wall& wall,
                         problem::ImpactCondition impact, int scheme_order) {
   return impact == problem::ImpactCondition::delta
              ? first_order_impact_map(speed_axis, wall, scheme_order)

@@ -26,11 +26,12 @@ std::vector<numerics::QuadraturePoint> gauss_points_on_short_panels(double a, do
 // C_0, C_1, .., C_cells are the values of the cumulative distribution C at the faces. Column f of
 // `change` contains the weights of C_0 .. C_cells in E[C(x_f - Y)] - C_f, the mean change of C by
 // an impulse at the face x_f.
-Eigen::MatrixXd generator_matrix(const Axis& axis,
-                                 const CumulativeDistributionInterpolation& cumulative,
+Eigen::MatrixXd generator_matrix(const GridAxis& axis,
+                                 const SpeedDistributionInterpolation& cumulative,
                                  const Eigen::MatrixXd& change) {
   const int cells = axis.cell_count();
-  // Entry (i, j) is the rate at which mass moves from cell j, with density 1, to cell i.
+  // Matrix entry (i, j) is the rate at which impulses move mass from velocity cell j, with density
+  // 1, to velocity cell i.
   Eigen::MatrixXd masses(cells, cells);
   for (int i = 0; i < cells; ++i) {
     masses.row(i) = cumulative.to_average_weights(change.col(i + 1) - change.col(i)).transpose();
@@ -42,7 +43,7 @@ Eigen::MatrixXd generator_matrix(const Axis& axis,
 }
 
 // Returns whether the four cells on each side of the face are wider than length = E[Y^8]^(1/8).
-bool are_cells_wider_than_impulses(const Axis& axis, int face, double length) {
+bool are_cells_wider_than_impulses(const GridAxis& axis, int face, double length) {
   for (int cell = face - kMoments / 2; cell < face + kMoments / 2; ++cell) {
     if (length >= axis.cell_width(cell)) return false;
   }
@@ -51,7 +52,7 @@ bool are_cells_wider_than_impulses(const Axis& axis, int face, double length) {
 
 // Adds the weights of E[C(face - Y)] - C(face), where the polynomial through the face and the
 // neighbouring faces approximates C.
-void add_moment_expansion(const Axis& axis, int face, const problem::ImpulseLaw& law,
+void add_moment_expansion(const GridAxis& axis, int face, const problem::ImpulseLaw& law,
                           Eigen::Ref<Eigen::VectorXd> weights) {
   constexpr int kAround = kMoments / 2;
   const double unit = axis.cell_width(face);
@@ -80,7 +81,7 @@ void add_moment_expansion(const Axis& axis, int face, const problem::ImpulseLaw&
 }
 
 // Adds the weights of E[C(face - Y); Y in [from, to]] for the continuous part of a law.
-void add_continuous_piece(const Axis& axis, const CumulativeDistributionInterpolation& cumulative,
+void add_continuous_piece(const GridAxis& axis, const SpeedDistributionInterpolation& cumulative,
                           double face, const problem::ImpulseLaw& law, double from, double to,
                           Eigen::Ref<Eigen::VectorXd> weights) {
   const double longest = law.deviation();
@@ -107,8 +108,8 @@ void add_continuous_piece(const Axis& axis, const CumulativeDistributionInterpol
 
 }  // namespace
 
-Eigen::MatrixXd fixed_jump_matrix(const Axis& axis, double amplitude) {
-  const CumulativeDistributionInterpolation cumulative(axis, kFaces, AxisEndCondition::vacuum);
+Eigen::MatrixXd fixed_jump_matrix(const GridAxis& axis, double amplitude) {
+  const SpeedDistributionInterpolation cumulative(axis, kFaces, AxisEndCondition::vacuum);
   Eigen::MatrixXd change = Eigen::MatrixXd::Zero(axis.cell_count() + 1, axis.cell_count() + 1);
   for (int f = 0; f <= axis.cell_count(); ++f) {
     cumulative.add_interpolation_weights(axis.face_position(f) - amplitude, 1, change.col(f));
@@ -117,9 +118,9 @@ Eigen::MatrixXd fixed_jump_matrix(const Axis& axis, double amplitude) {
   return generator_matrix(axis, cumulative, change);
 }
 
-Eigen::MatrixXd jump_matrix(const Axis& axis, const problem::ImpulseLaw& law) {
-  const CumulativeDistributionInterpolation cumulative(axis, kFaces, AxisEndCondition::vacuum);
-  const auto pieces = law.density_breakpoints();
+Eigen::MatrixXd jump_matrix(const GridAxis& axis, const problem::ImpulseLaw& law) {
+  const SpeedDistributionInterpolation cumulative(axis, kFaces, AxisEndCondition::vacuum);
+  const auto pieces = law.amplitude_density_breakpoints();
   Eigen::MatrixXd change = Eigen::MatrixXd::Zero(axis.cell_count() + 1, axis.cell_count() + 1);
   const double length = std::pow(law.moment(kMoments), 1.0 / kMoments);
   for (int f = 0; f <= axis.cell_count(); ++f) {
@@ -131,7 +132,7 @@ Eigen::MatrixXd jump_matrix(const Axis& axis, const problem::ImpulseLaw& law) {
       add_continuous_piece(axis, cumulative, axis.face_position(f), law, pieces[piece],
                            pieces[piece + 1], change.col(f));
     }
-    for (const auto& [amplitude, probability] : law.atoms()) {
+    for (const auto& [amplitude, probability] : law.amplitude_atoms()) {
       cumulative.add_interpolation_weights(axis.face_position(f) - amplitude, probability,
                                            change.col(f));
     }
@@ -142,15 +143,15 @@ Eigen::MatrixXd jump_matrix(const Axis& axis, const problem::ImpulseLaw& law) {
 
 namespace {
 
-// Returns the upper end of a cell; infinity for the last cell, which receives all mass above the
-// axis.
-double upper_end_of_cell(const Axis& axis, int cell) {
+// Returns the upper end of a velocity cell. The end of the last cell is infinite, since the last
+// cell receives all mass above the axis.
+double upper_end_of_cell(const GridAxis& axis, int cell) {
   return cell + 1 < axis.cell_count() ? axis.face_position(cell + 1)
                                       : std::numeric_limits<double>::infinity();
 }
 
 // Adds the jumps of a law with a density, by quadrature over four points of the source cell.
-void add_density_jumps(const Axis& axis, const problem::ImpulseLaw& law, int from,
+void add_density_jumps(const GridAxis& axis, const problem::ImpulseLaw& law, int from,
                        CellJumpMatrices& jumps) {
   for (const auto& [at, weight] : numerics::composite_gauss_points<4>(-0.5, 0.5, 1)) {
     const double offset = at * axis.cell_width(from);
@@ -168,7 +169,7 @@ void add_density_jumps(const Axis& axis, const problem::ImpulseLaw& law, int fro
 
 // Adds the jumps by a single atom of the law: each target cell receives its overlap with the
 // shifted source cell.
-void add_atom_jumps(const Axis& axis, const problem::AmplitudeAtom& atom, int from,
+void add_atom_jumps(const GridAxis& axis, const problem::AmplitudeAtom& atom, int from,
                     CellJumpMatrices& jumps) {
   const double left = axis.face_position(from) + atom.amplitude;
   const double right = axis.face_position(from + 1) + atom.amplitude;
@@ -186,11 +187,11 @@ void add_atom_jumps(const Axis& axis, const problem::AmplitudeAtom& atom, int fr
 
 }  // namespace
 
-CellJumpMatrices cell_jump_matrices(const Axis& axis, const problem::ImpulseLaw& law) {
+CellJumpMatrices cell_jump_matrices(const GridAxis& axis, const problem::ImpulseLaw& law) {
   const int cells = axis.cell_count();
   CellJumpMatrices jumps{.uniform = Eigen::MatrixXd::Zero(cells, cells),
                          .slope = Eigen::MatrixXd::Zero(cells, cells)};
-  const auto atoms = law.atoms();
+  const auto atoms = law.amplitude_atoms();
   for (int from = 0; from < cells; ++from) {
     if (atoms.empty()) add_density_jumps(axis, law, from, jumps);
     for (const auto& atom : atoms) add_atom_jumps(axis, atom, from, jumps);

@@ -15,7 +15,8 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 constexpr double kCellWidth = 0.2;  // cell width far from rest points, in typical amplitudes
-// Grading towards singularities other than the origin, in units of the typical amplitude.
+// Decrease of the cell widths towards singularities of the density other than the origin, in units
+// of the typical amplitude.
 constexpr double kSpikeReach = 0.25;
 constexpr double kSpikeCore = 0.005;
 
@@ -40,14 +41,15 @@ double typical_speed(const problem::Problem& problem, double deviation) {
   return std::max(deviation, 0.5 * std::sqrt(problem.impulses.amplitude_law().moment(2)));
 }
 
-double typical_height(const problem::Problem& problem, const Flow& flow, double speed) {
+double typical_height(const problem::Problem& problem, const DeterministicFlow& flow,
+                      double speed) {
   const double bounce = mean_acceleration_to_wall(problem) > 0
                             ? speed * speed / (2 * mean_acceleration_to_wall(problem))
                             : std::numeric_limits<double>::infinity();
   return std::min(flow.half_cycle(speed).height, bounce);
 }
 
-// Returns the amplitude that |Y| exceeds with the given probability.
+// Returns the value that the impulse amplitude |Y| exceeds with the given probability.
 double impulse_quantile(const problem::ImpulseLaw& law, double probability) {
   double amplitude = std::sqrt(law.moment(2));
   while (1 - law.cumulative_probability(amplitude) + law.cumulative_probability(-amplitude) >
@@ -57,7 +59,7 @@ double impulse_quantile(const problem::ImpulseLaw& law, double probability) {
   return amplitude;
 }
 
-// Amplitudes and speeds at which the density has a spike or a discontinuity.
+// Amplitudes and speeds of the motion at which the density has a spike or a discontinuity.
 struct DensitySingularities {
   std::vector<double> y, v;
 };
@@ -66,13 +68,13 @@ struct DensitySingularities {
 // mass at rest to a single speed. The density has spikes at turning points and impact speeds of the
 // characteristic that starts with the amplitude of an atom. A law whose density begins with a step
 // causes a discontinuity at the speed of the step.
-DensitySingularities density_singularities(const problem::Problem& problem, const Flow& flow,
-                                           double typical_speed) {
+DensitySingularities density_singularities(const problem::Problem& problem,
+                                           const DeterministicFlow& flow, double typical_speed) {
   constexpr int kHalfCycles = 6;
   constexpr double kFaint = 0.02, kSlow = 0.02, kApart = 0.9, kStep = 1e-3;
   const auto& law = problem.impulses.amplitude_law();
   DensitySingularities found;
-  for (const auto& [amplitude, probability] : law.atoms()) {
+  for (const auto& [amplitude, probability] : law.amplitude_atoms()) {
     double speed = amplitude > 0 ? amplitude : -problem.system.restitution() * amplitude;
     double left = 1;
     found.v.push_back(std::abs(amplitude));
@@ -81,7 +83,7 @@ DensitySingularities density_singularities(const problem::Problem& problem, cons
       found.y.push_back(half_cycle.height);
       found.v.push_back(speed);
       found.v.push_back(half_cycle.impact_speed);
-      // The spikes of half-cycles with nearly equal amplitudes are not separate.
+      // The density spikes of two half-cycles with nearly equal amplitudes are not separate.
       const double next = problem.system.restitution() * half_cycle.impact_speed;
       if (next > kApart * speed) break;
       speed = next;
@@ -89,7 +91,7 @@ DensitySingularities density_singularities(const problem::Problem& problem, cons
     }
   }
   const double deviation = law.deviation(), inside = 1e-6 * deviation;
-  for (const double end : law.density_breakpoints()) {
+  for (const double end : law.amplitude_density_breakpoints()) {
     const double step = std::abs(law.density(end + inside) - law.density(end - inside));
     if (step * deviation > kStep) found.v.push_back(std::abs(end));
   }
@@ -99,7 +101,7 @@ DensitySingularities density_singularities(const problem::Problem& problem, cons
 // Returns the origin and the singularities as refinement points, without nearly coincident points.
 std::vector<RefinementPoint> refinement_points(double typical, double core,
                                                std::vector<double> singular) {
-  const Grading to_spike{.reach = kSpikeReach * typical, .core = kSpikeCore * typical};
+  const CellGrading to_spike{.reach = kSpikeReach * typical, .core = kSpikeCore * typical};
   std::vector<RefinementPoint> refinement_points{{0, {.reach = typical, .core = core * typical}}};
   std::ranges::sort(singular);
   for (const double x : singular) {
@@ -109,31 +111,36 @@ std::vector<RefinementPoint> refinement_points(double typical, double core,
   return refinement_points;
 }
 
-Grid grid_from_linearised_scales(const problem::Problem& problem, const Options& options,
-                                 const Box& box) {
-  const Flow flow(problem.system);
+PhasePlaneGrid grid_from_linearised_scales(const problem::Problem& problem,
+                                           const FiniteVolumeOptions& options,
+                                           const PhasePlaneBox& box) {
+  const DeterministicFlow flow(problem.system);
   const double deviation = speed_deviation(problem), v = typical_speed(problem, deviation);
   const double y = typical_height(problem, flow, v);
   const double width = kCellWidth / options.refinement;
   const double core = relative_uniform_cell_radius(deviation, v);
-  // An atom of the impulse law displaces the spike of mass at rest without widening the spike.
+  // An impulse of fixed amplitude (an atom of the law) displaces the density spike of mass at rest
+  // without widening the spike.
   const DensitySingularities singular = is_density_unbounded_at_origin(problem)
                                             ? density_singularities(problem, flow, v)
                                             : DensitySingularities{};
   return symmetric_grid(
-      faces_graded_to_points(0, box.x1_max, width * y, refinement_points(y, core, singular.y)),
-      faces_graded_to_points(0, box.x2_max, width * v, refinement_points(v, core, singular.v)));
+      cell_faces_graded_to_points(0, box.x1_max, width * y, refinement_points(y, core, singular.y)),
+      cell_faces_graded_to_points(0, box.x2_max, width * v,
+                                  refinement_points(v, core, singular.v)));
 }
 
-Box initial_box_from_linearised_scales(const problem::Problem& problem, const Options& options) {
+PhasePlaneBox initial_box_from_linearised_scales(const problem::Problem& problem,
+                                                 const FiniteVolumeOptions& options) {
   constexpr double kTimes = 10, kImpulses = 1.5, kHigher = 1.2, kRare = 1e-8;
-  // Under a constant force the height of the box is proportional to the square of the speed.
+  // Under a constant force towards the wall, the largest displacement is proportional to the square
+  // of the largest speed.
   constexpr double kTimesPressed = 5;
   const double times = mean_acceleration_to_wall(problem) > 0 ? kTimesPressed : kTimes;
   const double v_max = options.x2_max.value_or(
       times * typical_speed(problem, speed_deviation(problem)) +
       kImpulses * impulse_quantile(problem.impulses.amplitude_law(), kRare));
-  double y_max = kHigher * typical_height(problem, Flow(problem.system), v_max);
+  double y_max = kHigher * typical_height(problem, DeterministicFlow(problem.system), v_max);
   if (mean_acceleration_to_wall(problem) == 0) {
     const auto linear = problem::equivalent_linearisation(problem);
     y_max = std::max(y_max,
@@ -162,7 +169,7 @@ double equilibrium_core_distance(const problem::Problem& problem,
   return std::clamp(std::exp(-kNothingLeft / impulses), least, kMostCore);
 }
 
-bool is_at_wall(const Flow& flow, const RestPoint& point) {
+bool is_at_wall(const DeterministicFlow& flow, const RestPoint& point) {
   const auto is_at = [&](WallSide side) {
     return flow.wall(side) && flow.wall(side)->position == point.y;
   };
@@ -176,7 +183,7 @@ bool is_at_wall(const Flow& flow, const RestPoint& point) {
 constexpr double kLimitCycleFactorY = 0.3, kLimitCycleFactorV = 1.5;
 
 // Returns the rest points, or the equilibria that a limit cycle encloses.
-std::vector<double> centres_of_motion(const Flow& flow) {
+std::vector<double> centres_of_motion(const DeterministicFlow& flow) {
   std::vector<double> centres;
   for (const RestPoint& point : find_rest_points(flow)) centres.push_back(point.y);
   return centres.empty() ? flow.potential_extrema() : centres;
@@ -185,22 +192,23 @@ std::vector<double> centres_of_motion(const Flow& flow) {
 struct TypicalScales {
   double speed, core_v;
   std::vector<RestPoint> points;
-  std::vector<double> core_y = {};  // Grading::core in y, for each rest point
+  std::vector<double> core_y = {};  // CellGrading::core in y, for each rest point
   // Largest distance from a rest point that motion with the typical speed attains
   double widest = 0;
   double least_potential = 0;
 };
 
 TypicalScales typical_scales(const problem::Problem& problem, const problem::MotionScales& scales,
-                             const Flow& flow) {
+                             const DeterministicFlow& flow) {
   TypicalScales found{.speed = typical_speed(problem, scales.velocity_deviation),
                       .core_v = kContactCore,
                       .points = find_rest_points(flow)};
   const std::vector<double> centres = centres_of_motion(flow);
   found.least_potential = flow.potential_energy(centres.front());
   const auto distance_from = [&](double y) {
-    const AccessibleInterval accessible_interval = flow.accessible_interval({y, found.speed});
-    return std::max(y - accessible_interval.low, accessible_interval.high - y);
+    const AccessibleDisplacements accessible_displacements =
+        flow.accessible_displacements({y, found.speed});
+    return std::max(y - accessible_displacements.low, accessible_displacements.high - y);
   };
   for (const double y : centres) {
     found.widest = std::max(found.widest, distance_from(y));
@@ -223,9 +231,10 @@ TypicalScales typical_scales(const problem::Problem& problem, const problem::Mot
   return found;
 }
 
-Grid grid_from_rest_points(const problem::Problem& problem, const problem::MotionScales& scales,
-                           const Options& options, const Box& box) {
-  const Flow flow(problem.system);
+PhasePlaneGrid grid_from_rest_points(const problem::Problem& problem,
+                                     const problem::MotionScales& scales,
+                                     const FiniteVolumeOptions& options, const PhasePlaneBox& box) {
+  const DeterministicFlow flow(problem.system);
   const TypicalScales scale = typical_scales(problem, scales, flow);
   const double part = kCellWidth / options.refinement;
   const bool has_limit_cycle = scale.points.empty();
@@ -239,7 +248,8 @@ Grid grid_from_rest_points(const problem::Problem& problem, const problem::Motio
   const auto width_in_y = [&](double y) {
     const double speed =
         std::sqrt(2 * std::max(0.0, flow.potential_energy(y) - scale.least_potential));
-    // Near a saddle the force does not determine the length scale of the density.
+    // Near a saddle point of the motion the force does not determine the length scale of the
+    // density.
     double nearest = scale.widest;
     for (const RestPoint& point : scale.points) {
       nearest = std::max(nearest, std::abs(y - point.y) / 4);
@@ -258,17 +268,18 @@ Grid grid_from_rest_points(const problem::Problem& problem, const problem::Motio
   const auto beyond = [&](WallSide side) {
     return flow.wall(side) ? AxisEndCondition::boundary : AxisEndCondition::vacuum;
   };
-  return symmetric_grid(faces_from_width_function(anchors, width_in_y),
-                        faces_from_width_function(speeds, width_in_v), beyond(WallSide::left),
+  return symmetric_grid(cell_faces_from_width_function(anchors, width_in_y),
+                        cell_faces_from_width_function(speeds, width_in_v), beyond(WallSide::left),
                         beyond(WallSide::right));
 }
 
-Box initial_box_from_rest_points(const problem::Problem& problem,
-                                 const problem::MotionScales& scales, const Options& options) {
+PhasePlaneBox initial_box_from_rest_points(const problem::Problem& problem,
+                                           const problem::MotionScales& scales,
+                                           const FiniteVolumeOptions& options) {
   constexpr double kTimes = 5, kDeviations = 9, kHigher = 1.1;
-  const Flow flow(problem.system);
+  const DeterministicFlow flow(problem.system);
   const auto& law = problem.impulses.amplitude_law();
-  Box box{
+  PhasePlaneBox box{
       .x1_max = 0,
       .x2_max = options.x2_max.value_or(kTimes * typical_speed(problem, scales.velocity_deviation) +
                                         std::abs(law.mean()) + kDeviations * law.deviation())};
@@ -276,9 +287,10 @@ Box initial_box_from_rest_points(const problem::Problem& problem,
   const auto& right = flow.wall(WallSide::right);
   double highest = 0;
   for (const double y : centres_of_motion(flow)) {
-    const AccessibleInterval accessible_interval = flow.accessible_interval({y, box.x2_max});
-    highest = std::max(highest, accessible_interval.high);
-    if (!left) highest = std::max(highest, -accessible_interval.low);
+    const AccessibleDisplacements accessible_displacements =
+        flow.accessible_displacements({y, box.x2_max});
+    highest = std::max(highest, accessible_displacements.high);
+    if (!left) highest = std::max(highest, -accessible_displacements.low);
   }
   box.x1_max = right ? right->position : options.x1_max.value_or(kHigher * highest);
   box.x1_min = left ? left->position : -box.x1_max;
@@ -287,14 +299,16 @@ Box initial_box_from_rest_points(const problem::Problem& problem,
 
 }  // namespace
 
-Grid characteristic_grid(const problem::Problem& problem, const problem::MotionScales& scales,
-                         const Options& options, const Box& box) {
+PhasePlaneGrid characteristic_grid(const problem::Problem& problem,
+                                   const problem::MotionScales& scales,
+                                   const FiniteVolumeOptions& options, const PhasePlaneBox& box) {
   return has_linearised_scales(problem) ? grid_from_linearised_scales(problem, options, box)
                                         : grid_from_rest_points(problem, scales, options, box);
 }
 
-Box initial_characteristic_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                               const Options& options) {
+PhasePlaneBox initial_characteristic_box(const problem::Problem& problem,
+                                         const problem::MotionScales& scales,
+                                         const FiniteVolumeOptions& options) {
   return has_linearised_scales(problem) ? initial_box_from_linearised_scales(problem, options)
                                         : initial_box_from_rest_points(problem, scales, options);
 }

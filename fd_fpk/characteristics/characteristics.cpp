@@ -14,7 +14,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Number of chords that represent the path of one time step.
+// Number of straight chords that represent the path of one time step in the phase plane.
 constexpr int kChords = 10;
 // Duration of a characteristic, in mean times between impulses; a longer flight is negligible.
 constexpr double kMaxDecayTimes = 40;
@@ -28,14 +28,14 @@ constexpr double kMaxCycleDecayTimes = 7;
 // Lower limit of the flux of area, which decays to zero for overdamped motion.
 constexpr double kLeastFlux = 1e-200;
 
-int cell_index_at(const Axis& axis, double x) {
+int cell_index_at(const GridAxis& axis, double x) {
   const auto& faces = axis.faces();
   const auto above = std::upper_bound(faces.begin(), faces.end(), x);
   return std::clamp(static_cast<int>(above - faces.begin()) - 1, 0, axis.cell_count() - 1);
 }
 
-// Reserves memory for `count` elements, and at least doubles the capacity if it is exceeded, so
-// that many small insertions copy each element only a few times.
+// Reserves memory for `count` elements of a vector. A new capacity is at least twice the old
+// capacity, so that many small insertions copy each element only a few times.
 template <class T>
 void reserve_at_least(std::vector<T>& elements, std::size_t count) {
   if (count > elements.capacity()) elements.reserve(std::max(count, 2 * elements.capacity()));
@@ -48,9 +48,10 @@ double mean_of_decay(double x) {
   return 1 - x / 2 * (1 - x / 3 * (1 - x / 4 * (1 - x / 5)));
 }
 
-class HermiteCubic {
+class HermiteCubicInterpolant {
  public:
-  HermiteCubic(const Flow& flow, const PhaseState& from, const PhaseState& to, double time)
+  HermiteCubicInterpolant(const DeterministicFlow& flow, const PhaseState& from,
+                          const PhaseState& to, double time)
       : from_(from),
         to_(to),
         a_{time * from.v, time * flow.acceleration(from)},
@@ -76,7 +77,7 @@ struct Characteristics::TracingState {
   std::size_t first;  // index of the first cell visit of the characteristic in TracedPart::visits
 };
 
-Characteristics::Characteristics(const problem::System& system, const Grid& grid,
+Characteristics::Characteristics(const problem::System& system, const PhasePlaneGrid& grid,
                                  double impulse_rate, int characteristics_per_cell,
                                  const base::Deadline& deadline)
     : grid_(grid),
@@ -104,12 +105,14 @@ Characteristics::Characteristics(const problem::System& system, const Grid& grid
 std::string Characteristics::failure_reason() const {
   if (out_of_time_)
     return "characteristics: max_seconds expired during their construction; increase max-seconds";
-  if (visits_.size() <= kMaxVisits) return "";
-  return fmt::format("characteristics: more than {} cell visits; use a coarser grid", kMaxVisits);
+  if (visits_.size() <= kMaxCharacteristicCellVisits) return "";
+  return fmt::format("characteristics: more than {} cell visits; use a coarser grid",
+                     kMaxCharacteristicCellVisits);
 }
 
-// Traces characteristics from those parts of the sides of the box where the flow enters the box.
-// Motion that does not enter through the sides starts at a wall or near an unstable equilibrium.
+// Traces characteristics of the motion from the sides of the computational box where motion enters
+// the computational box. Motion that does not enter the computational box through its sides starts
+// at a wall or near an unstable equilibrium.
 void Characteristics::trace_from_box_sides(int characteristics_per_cell) {
   constexpr double kInside = 1e-12;
   const double length = grid_.x1_max() - grid_.x1_min();
@@ -119,7 +122,7 @@ void Characteristics::trace_from_box_sides(int characteristics_per_cell) {
   const auto lay = [&](const PhaseState& from, double flux) {
     if (flux > 0) starts.push_back({from, flux});
   };
-  const auto at_each = [&](const Axis& axis, int first, int last, const auto& start) {
+  const auto at_each = [&](const GridAxis& axis, int first, int last, const auto& start) {
     for (int i = first; i < last; ++i) {
       const double width = axis.cell_width(i) / characteristics_per_cell;
       for (int k = 0; k < characteristics_per_cell; ++k)
@@ -131,29 +134,29 @@ void Characteristics::trace_from_box_sides(int characteristics_per_cell) {
     lay({y, -v_max}, flow_.acceleration({y, -v_max}) * width);
   });
   if (!flow_.wall(WallSide::right)) {
-    at_each(grid_.x2, 0, grid_.nv() / 2, [&](double v, double width) {
+    at_each(grid_.x2, 0, grid_.v_cell_count() / 2, [&](double v, double width) {
       lay({y_max, v}, -v * width);
     });
   }
   if (!flow_.wall(WallSide::left)) {
-    at_each(grid_.x2, grid_.nv() / 2, grid_.nv(), [&](double v, double width) {
+    at_each(grid_.x2, grid_.v_cell_count() / 2, grid_.v_cell_count(), [&](double v, double width) {
       lay({y_min, v}, v * width);
     });
   }
   from_outside_ = trace_characteristics(starts);
 }
 
-// At a wall with a rest point no characteristic starts in the innermost cell. Motion from the
-// innermost cell of a contact is a cascade of impacts. Mass in the innermost cell of an equilibrium
-// at a wall counts as at rest.
+// At a wall with a rest point of the motion no characteristic starts in the innermost cell. Motion
+// from the innermost cell of a contact is a cascade of impacts. Mass in the innermost cell of an
+// equilibrium at a wall counts as at rest.
 void Characteristics::trace_from_wall(WallSide side, int characteristics_per_cell) {
-  const int middle = grid_.nv() / 2;
+  const int middle = grid_.v_cell_count() / 2;
   const double y = flow_.wall(side)->position;
   const bool rests =
       std::ranges::any_of(rest_, [&](const RestPoint& place) { return place.y == y; });
   WallCharacteristics& wall_characteristics = this->wall_characteristics(side);
   std::vector<TraceStart> starts;
-  for (int j = grid_.nv() - 1; j >= (rests ? middle + 1 : middle); --j) {
+  for (int j = grid_.v_cell_count() - 1; j >= (rests ? middle + 1 : middle); --j) {
     const double width = grid_.x2.cell_width(j) / characteristics_per_cell;
     for (int k = characteristics_per_cell - 1; k >= 0; --k) {
       const double speed = grid_.x2.face_position(j) + (k + 0.5) * width;
@@ -185,14 +188,15 @@ void Characteristics::sort_wall_characteristics() {
 }
 
 // Traces characteristics that start at the faces through which the motion enters a cell, for each
-// cell whose area the strips do not cover. Inside a limit cycle the strips do not cover the cells,
-// since all motion starts near an unstable equilibrium and no motion enters through the sides of
-// the box. The new strips cover the missing fraction of the area. Cells of lower energy come first,
-// since the motion passes cells of lower energy earlier.
+// cell whose area the strips do not cover. Inside a limit cycle no strip covers the cells, since
+// all motion there starts near an unstable equilibrium and none enters through the sides of the
+// computational box. The strips of the new characteristics cover the missing fraction of the cell
+// area. Cells are treated by increasing energy, since motion away from an unstable equilibrium
+// passes cells of lower energy first.
 void Characteristics::trace_from_uncovered_cells() {
   constexpr double kMissing = 0.3;  // largest accepted fraction of the area without strips
   constexpr double kInside = 1e-9;  // distance of the starts from the faces, in cell widths
-  const int nv = grid_.nv();
+  const int nv = grid_.v_cell_count();
   const Eigen::VectorXd areas = grid_.cell_areas();
   Eigen::VectorXd covered = Eigen::VectorXd::Zero(grid_.size());
   const auto add_areas_of_visits = [&](std::size_t first) {
@@ -229,7 +233,8 @@ void Characteristics::trace_from_uncovered_cells() {
 }
 
 // Traces a characteristic from each cell that no other characteristic crosses, where the flow
-// converges strongly. The narrow strip of the characteristic has a negligible area in other cells.
+// converges strongly. The narrow strip about such a characteristic has a negligible area in other
+// cells.
 void Characteristics::trace_through_uncrossed_cells() {
   constexpr double kNarrow = 1e-9;
   std::vector<bool> crossed = at_rest_;
@@ -238,8 +243,8 @@ void Characteristics::trace_through_uncrossed_cells() {
   };
   mark(0);
   for (int i = grid_.nx() - 1; i >= 0; --i) {
-    for (int j = 0; j < grid_.nv(); ++j) {
-      if (crossed[i * grid_.nv() + j]) continue;
+    for (int j = 0; j < grid_.v_cell_count(); ++j) {
+      if (crossed[i * grid_.v_cell_count() + j]) continue;
       const std::size_t first = visits_.size();
       from_outside_.push_back(
           trace_characteristic({grid_.x1.cell_centre(i), grid_.x2.cell_centre(j)},
@@ -251,7 +256,8 @@ void Characteristics::trace_through_uncrossed_cells() {
 
 // Returns the index of the equilibrium whose innermost cells contain the motion from the state.
 std::optional<int> Characteristics::equilibrium_containing(const PhaseState& at) const {
-  const int cell = cell_index_at(grid_.x1, at.y) * grid_.nv() + cell_index_at(grid_.x2, at.v);
+  const int cell =
+      cell_index_at(grid_.x1, at.y) * grid_.v_cell_count() + cell_index_at(grid_.x2, at.v);
   if (!at_rest_[cell]) return std::nullopt;
   for (std::size_t n = 0; n < rest_.size(); ++n) {
     const RestPoint& place = rest_[n];
@@ -263,8 +269,9 @@ std::optional<int> Characteristics::equilibrium_containing(const PhaseState& at)
   return std::nullopt;
 }
 
-// Traces characteristics in several threads. The returned characteristics, and the cell visits, are
-// in the order of the starts.
+// Traces the characteristics from the given start states in several threads. The returned
+// characteristics and their cell visits are in the order of the start states, for any number of
+// threads.
 std::vector<Characteristic> Characteristics::trace_characteristics(
     const std::vector<TraceStart>& starts) {
   constexpr std::size_t kStartsPerPart = 64;  // many parts, since characteristics differ in length
@@ -305,41 +312,43 @@ void Characteristics::trace_characteristic(const TraceStart& start,
   if (deadline_.has_passed()) part.out_of_time = true;
   const auto own_visits = [&] { return part.visits.size() - at.first; };
   const auto must_stop_tracing = [&] {
-    return out_of_time_ || part.out_of_time || visit_count + own_visits() > kMaxVisits;
+    return out_of_time_ || part.out_of_time ||
+           visit_count + own_visits() > kMaxCharacteristicCellVisits;
   };
   // Smallest ratio of the smaller to the larger of the current energy and an earlier energy at
   // which the accessible interval of the earlier state is reused
   constexpr double kReuseRatio = 0.7;
   Characteristic track{.first = at.first, .last = 0, .energy = flow_.mechanical_energy(from)};
-  AccessibleInterval accessible_interval = flow_.accessible_interval(from);
-  double energy = track.energy - accessible_interval.least_potential, time = 0;
+  AccessibleDisplacements accessible_displacements = flow_.accessible_displacements(from);
+  double energy = track.energy - accessible_displacements.least_potential, time = 0;
   for (long step = 0;; ++step) {
     if ((track.characteristic_end.rest = equilibrium_containing(at.state))) break;
     if (must_stop_tracing() || (step > kMostSteps && rate_ * time > kMaxDecayTimes)) break;
     // Along a limit cycle no rest point ends the characteristic.
     if (rest_.empty() && rate_ * time > kMaxCycleDecayTimes) break;
-    const double left = flow_.mechanical_energy(at.state) - accessible_interval.least_potential;
+    const double left =
+        flow_.mechanical_energy(at.state) - accessible_displacements.least_potential;
     if (left < kReuseRatio * energy || left * kReuseRatio > energy) {
-      accessible_interval = flow_.accessible_interval(at.state);
-      energy = flow_.mechanical_energy(at.state) - accessible_interval.least_potential;
+      accessible_displacements = flow_.accessible_displacements(at.state);
+      energy = flow_.mechanical_energy(at.state) - accessible_displacements.least_potential;
     }
-    double span = flow_.max_time_step(at.state, accessible_interval);
+    double span = flow_.max_time_step(at.state, accessible_displacements);
     PhaseState end = flow_.advance_state(at.state, span);
     const auto hit = flow_.passed_wall(end.y);
     if (hit) {
       span = flow_.impact_time(at.state, span, *hit);
       end = {flow_.wall(*hit)->position, flow_.advance_state(at.state, span).v};
-      // Rounding errors may cause a wrong sign of the impact velocity.
+      // At an impact, rounding errors may give the velocity the wrong sign.
       end.v = *hit == WallSide::left ? std::min(0.0, end.v) : std::max(0.0, end.v);
     }
-    const HermiteCubic path(flow_, at.state, end, span);
+    const HermiteCubicInterpolant path(flow_, at.state, end, span);
     for (int chord = 1; chord < kChords; ++chord) {
       record_cell_visits(at, path(static_cast<double>(chord) / kChords), span / kChords, part);
     }
     record_cell_visits(at, end, span / kChords, part);
     time += span;
     if (hit) {
-      set_end_at_wall(*hit, std::abs(end.v), track.characteristic_end);
+      set_characteristic_end_at_wall(*hit, std::abs(end.v), track.characteristic_end);
       break;
     }
   }
@@ -349,12 +358,13 @@ void Characteristics::trace_characteristic(const TraceStart& start,
 }
 
 // Motion that leaves a wall with a rest point within the innermost cells ends at the rest point.
-void Characteristics::set_end_at_wall(WallSide side, double speed,
-                                      CharacteristicEnd& characteristic_end) const {
+void Characteristics::set_characteristic_end_at_wall(WallSide side, double speed,
+                                                     CharacteristicEnd& characteristic_end) const {
   characteristic_end.wall = side;
   characteristic_end.speed = speed;
   const problem::Wall& wall = *flow_.wall(side);
-  const double slow = grid_.x2.face_position(grid_.nv() / 2 + 1), left = wall.restitution * speed;
+  const double slow = grid_.x2.face_position(grid_.v_cell_count() / 2 + 1),
+               left = wall.restitution * speed;
   if (left > slow) return;
   for (std::size_t n = 0; n < rest_.size(); ++n) {
     if (rest_[n].y != wall.position) continue;
@@ -365,10 +375,10 @@ void Characteristics::set_end_at_wall(WallSide side, double speed,
   }
 }
 
-// Records the cell visits of a straight chord of the path.
+// Records the grid cells that a straight chord of a characteristic visits.
 void Characteristics::record_cell_visits(TracingState& at, const PhaseState& to, double time,
                                          TracedPart& part) const {
-  std::vector<CellVisit>& visits = part.visits;
+  std::vector<CharacteristicCellVisit>& visits = part.visits;
   const PhaseState from = at.state;
   const double dy = to.y - from.y, dv = to.v - from.v;
   // The flow contracts areas over the chord by the factor exp(-x), on average by (1 - exp(-x)) / x
@@ -380,30 +390,35 @@ void Characteristics::record_cell_visits(TracingState& at, const PhaseState& to,
   at.state = to;
   double done = 0;
   while (true) {
-    // Positions of the next cell faces in y and v, as fractions of the chord; above 1 beyond the
-    // chord
+    // Positions along the chord of the next cell faces in y and in v, as fractions of the chord
+    // length; above 1 for faces beyond the chord
     double y_face = 2, v_face = 2;
     if (dy > 0 && at.i + 1 < grid_.nx()) y_face = (grid_.x1.faces()[at.i + 1] - from.y) / dy;
     if (dy < 0 && at.i > 0) y_face = (grid_.x1.faces()[at.i] - from.y) / dy;
-    if (dv > 0 && at.j + 1 < grid_.nv()) v_face = (grid_.x2.faces()[at.j + 1] - from.v) / dv;
+    if (dv > 0 && at.j + 1 < grid_.v_cell_count())
+      v_face = (grid_.x2.faces()[at.j + 1] - from.v) / dv;
     if (dv < 0 && at.j > 0) v_face = (grid_.x2.faces()[at.j] - from.v) / dv;
     const double next = std::max(done, std::min({y_face, v_face, 1.0}));
     if (next > done) {
-      const int cell = at.i * grid_.nv() + at.j;
+      const int cell = at.i * grid_.v_cell_count() + at.j;
       const double duration = (next - done) * time, area = flux * duration;
       const double middle = (done + next) / 2;
       const double y = from.y + middle * dy - grid_.x1.cell_centre(at.i);
       const double v = from.v + middle * dv - grid_.x2.cell_centre(at.j);
       if (visits.size() > at.first && visits.back().cell == cell) {
-        CellVisit& visit = visits.back();
+        CharacteristicCellVisit& visit = visits.back();
         const double fraction = area / (visit.share + area);
         visit.y += fraction * (y - visit.y);
         visit.v += fraction * (v - visit.v);
         visit.share += area;
         part.durations.back() += duration;
       } else {
-        visits.push_back(
-            {.cell = cell, .ended = 0, .mean_end_probability = 0, .share = area, .y = y, .v = v});
+        visits.push_back({.cell = cell,
+                          .ended = 0,
+                          .mean_impulse_probability = 0,
+                          .share = area,
+                          .y = y,
+                          .v = v});
         part.durations.push_back(duration);
       }
     }
@@ -417,27 +432,28 @@ void Characteristics::record_cell_visits(TracingState& at, const PhaseState& to,
   }
 }
 
-// Converts areas of visits to fractions of the cell area. Positions of visits, relative to the cell
-// centre, become relative to the mean of all visits to the cell.
+// Converts the area of each cell visit to a fraction of the cell area. The position of a cell
+// visit, first relative to the cell centre, becomes relative to the mean position of all visits to
+// the cell.
 void Characteristics::normalise_visit_areas() {
   struct Cover {
     double area = 0, y = 0, v = 0;
   };
   std::vector<Cover> covers(grid_.size());
-  for (const CellVisit& visit : visits_) {
+  for (const CharacteristicCellVisit& visit : visits_) {
     Cover& cover = covers[visit.cell];
     cover.area += visit.share;
     cover.y += visit.share * visit.y;
     cover.v += visit.share * visit.v;
   }
-  const auto normalise = [&](CellVisit& visit, double duration) {
+  const auto normalise = [&](CharacteristicCellVisit& visit, double duration) {
     const Cover& cover = covers[visit.cell];
     const double expected = rate_ * duration;
     const double ended = expected * mean_of_decay(expected);
     visit.ended = static_cast<float>(ended);
-    visit.mean_end_probability =
+    visit.mean_impulse_probability =
         static_cast<float>(expected > 1e-4 ? 1 - ended / expected : expected / 2);
-    // Mass that starts in the cells of a rest point remains at rest.
+    // Mass that starts in the innermost cells of a rest point remains at rest.
     visit.share = at_rest_[visit.cell] ? 0 : visit.share / cover.area;
     visit.y -= cover.y / cover.area;
     visit.v -= cover.v / cover.area;
@@ -494,7 +510,7 @@ std::vector<ContactImpulseDistribution> Characteristics::contact_impulse_distrib
       return side == WallSide::left ? law.cumulative_probability(-u)
                                     : 1 - law.cumulative_probability(u);
     };
-    // Probability that the speed after the impulse is between 0 and u
+    // Probability that the speed after an impulse on mass at rest is between 0 and u
     const auto slower = [&](double u) {
       return std::isinf(u) ? 1.0 : slower_off(u) - faster_into(u / r);
     };
@@ -511,7 +527,7 @@ std::vector<ContactImpulseDistribution> Characteristics::contact_impulse_distrib
     // breakpoints of the law, and summed over atoms.
     const double into = side == WallSide::left ? -1 : 1;
     std::vector<double> ends{0};
-    for (const double end : law.density_breakpoints()) {
+    for (const double end : law.amplitude_density_breakpoints()) {
       if (into * end > 0) ends.push_back(into * end);
     }
     std::ranges::sort(ends);
@@ -520,7 +536,7 @@ std::vector<ContactImpulseDistribution> Characteristics::contact_impulse_distrib
       departures.energy += Quadrature::integrate([&](double u) { return 2 * u * faster_into(u); },
                                                  ends[n], ends[n + 1], 5, 1e-9);
     }
-    for (const auto& [amplitude, probability] : law.atoms()) {
+    for (const auto& [amplitude, probability] : law.amplitude_atoms()) {
       if (into * amplitude <= 0) continue;
       departures.momentum += probability * std::abs(amplitude);
       departures.energy += probability * amplitude * amplitude;

@@ -15,19 +15,20 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Part of a characteristic inside one cell.
-struct CellVisit {
+/// Part of a characteristic inside one grid cell.
+struct CharacteristicCellVisit {
   std::int32_t cell;
   float ended;  ///< probability of an impulse during the visit, 1 - exp(-lambda duration)
-  float mean_end_probability;  ///< average of `ended` for mass that starts anywhere along the visit
-  double share;                ///< fraction of the cell area that the strip of the visit covers
+  /// Average of `ended` for mass that starts anywhere along the visit
+  float mean_impulse_probability;
+  double share;  ///< fraction of the cell area that the strip of the visit covers
   /// Mean displacement and velocity of the visit, relative to the mean of all visits to the cell
   double y, v;
 };
 
 /// Maximum number of cell visits of all characteristics, which take 0.8 GB of memory. Slow motion
 /// that circles an equilibrium without impacts would visit cells indefinitely.
-inline constexpr std::size_t kMaxVisits = 16000000;
+inline constexpr std::size_t kMaxCharacteristicCellVisits = 16000000;
 
 /// End of a characteristic at a wall, at a rest point, or where an impulse is almost certain.
 struct CharacteristicEnd {
@@ -42,7 +43,8 @@ struct CharacteristicEnd {
   std::optional<ImpactCascade> cascade;  ///< cascade of impacts to rest in contact
 };
 
-/// Characteristic from a wall or an edge of the box to the next impact or to a rest point.
+/// Characteristic of the motion, from a wall or an edge of the computational box to the next impact
+/// or to a rest point.
 struct Characteristic {
   std::size_t first, last;  ///< indices [first, last) of the cell visits of the characteristic
   CharacteristicEnd characteristic_end = {};
@@ -55,15 +57,16 @@ struct Characteristic {
 struct ContactImpulseDistribution {
   std::vector<double>
       shares;  ///< fraction of the mass on each characteristic of characteristics_from_walls()
-  /// Fraction of the mass to which an impulse gives a speed below the start speed of every
-  /// characteristic
+  /// Fraction of the mass at rest in contact to which an impulse gives a speed below the start
+  /// speed of every characteristic
   double rest_fraction = 0;
-  /// Momentum and energy that impacts after impulses into the wall transfer, per impulse
+  /// Momentum and energy that impulses on mass at rest transfer to the wall by immediate impacts,
+  /// per impulse
   double momentum = 0, energy = 0;
 };
 
 /// Characteristics that cover the phase plane so densely that at least one characteristic crosses
-/// each cell. Each characteristic represents a strip of the plane, which ends half way to the
+/// each cell. Each characteristic represents a strip of the phase plane, which ends half way to the
 /// neighbouring characteristics. The area of the strip in a cell is the flux of the strip times the
 /// time that the characteristic spends in the cell (J. R. Askew, AEEW-M 1108, 1972).
 class Characteristics {
@@ -72,21 +75,22 @@ class Characteristics {
   /// @param characteristics_per_cell number of characteristics that start in each cell at the
   /// boundary
   /// @param deadline time at which the construction stops with a failure_reason()
-  Characteristics(const problem::System& system, const Grid& grid, double impulse_rate,
+  Characteristics(const problem::System& system, const PhasePlaneGrid& grid, double impulse_rate,
                   int characteristics_per_cell,
                   const base::Deadline& deadline = base::Deadline::unlimited());
 
-  /// Returns the characteristics that start at the boundary of the box, or in a cell that no other
-  /// characteristic crosses. After an impact the mass of a characteristic from the boundary
-  /// continues on characteristics that start at walls.
+  /// Returns the characteristics that start at an edge of the computational box, or in a cell that
+  /// no other characteristic crosses. After an impact the mass of such a characteristic continues
+  /// on characteristics that start at walls.
   const std::vector<Characteristic>& characteristics_from_boundary() const { return from_outside_; }
   /// Returns the characteristics that start at a wall, by decreasing energy. After an impact the
-  /// mass of a characteristic continues on two characteristics with neighbouring start speeds. The
-  /// slower characteristic always comes later in the list than the characteristic before the
-  /// impact; the faster characteristic may come earlier.
+  /// mass of a characteristic continues on two characteristics with neighbouring start speeds. In
+  /// the list, the slower of the two characteristics always follows the characteristic before the
+  /// impact; the faster characteristic may precede it.
   const std::vector<Characteristic>& characteristics_from_walls() const { return from_walls_; }
-  const std::vector<CellVisit>& cell_visits() const { return visits_; }
-  /// Returns the reason why the characteristics do not cover the plane; empty for a covered plane.
+  const std::vector<CharacteristicCellVisit>& cell_visits() const { return visits_; }
+  /// Returns the reason why the characteristics do not cover the phase plane; empty if the
+  /// characteristics cover the phase plane.
   std::string failure_reason() const;
   const std::vector<RestPoint>& rest_points() const { return rest_; }
   /// Returns the indices in rest_points() of the rest points in contact.
@@ -104,16 +108,16 @@ class Characteristics {
     PhaseState state;
     double flux;  // flux of area through the strip
   };
-  // Characteristics that one call of parallel_for() traces. The indices in `tracks` refer to
-  // `visits`.
+  // Characteristics that one call of parallel_for() traces. The members `tracks` contain indices of
+  // elements of `visits`.
   struct TracedPart {
     std::vector<Characteristic> tracks;
-    std::vector<CellVisit> visits;
+    std::vector<CharacteristicCellVisit> visits;
     std::vector<double> durations;  // durations of the visits
     bool out_of_time = false;
   };
-  // Characteristics that start at one wall, by decreasing start speed. The array `below` contains
-  // the lowest speed of the strip of each characteristic, at which the next strip begins.
+  // Characteristics that start at one wall, by decreasing start speed. For each characteristic, the
+  // array `below` has the lowest start speed of its strip, at which the next strip begins.
   struct WallCharacteristics {
     std::vector<double> speeds, below;
     std::vector<int> tracks;
@@ -134,26 +138,27 @@ class Characteristics {
   Characteristic trace_characteristic(const PhaseState& from, double flux) {
     return trace_characteristics({{from, flux}}).front();
   }
-  // Appends the characteristic and its visits to `part`. The argument `visit_count` is the number
-  // of visits of all characteristics that have been traced in any thread.
+  // Appends the characteristic and its visits to `part`. The argument `visit_count` counts the cell
+  // visits of all characteristics that any thread has traced.
   void trace_characteristic(const TraceStart& start, std::atomic<std::size_t>& visit_count,
                             TracedPart& part) const;
   std::optional<int> equilibrium_containing(const PhaseState& at) const;
   void record_cell_visits(TracingState& at, const PhaseState& to, double time,
                           TracedPart& part) const;
-  void set_end_at_wall(WallSide side, double speed, CharacteristicEnd& characteristic_end) const;
+  void set_characteristic_end_at_wall(WallSide side, double speed,
+                                      CharacteristicEnd& characteristic_end) const;
   void normalise_visit_areas();
   void find_continuations_at_walls(std::vector<Characteristic>& tracks) const;
 
-  const Grid& grid_;
+  const PhasePlaneGrid& grid_;
   base::Deadline deadline_;
   bool out_of_time_ = false;
-  Flow flow_;
+  DeterministicFlow flow_;
   double rate_;
   std::vector<RestPoint> rest_;
   std::vector<int> contacts_;
   std::vector<bool> at_rest_;  // whether each cell belongs to a rest point
-  std::vector<CellVisit> visits_;
+  std::vector<CharacteristicCellVisit> visits_;
   std::vector<double> durations_;  // durations of the cell visits; used only during construction
   std::vector<Characteristic> from_outside_, from_walls_;
   WallCharacteristics from_left_, from_right_;

@@ -20,20 +20,20 @@ std::vector<double> keep_every_nth_face(const std::vector<double>& faces, int st
   return kept;
 }
 
-Grid coarsened_grid(const Grid& grid, int stride) {
+PhasePlaneGrid coarsened_grid(const PhasePlaneGrid& grid, int stride) {
   return symmetric_grid(keep_every_nth_face(grid.x1.faces(), stride),
                         keep_every_nth_face(grid.speed_axis().faces(), stride),
                         grid.x1.left_end_condition(), grid.x1.right_end_condition());
 }
 
-int block_stride(const Grid& grid, int max_blocks) {
+int block_stride(const PhasePlaneGrid& grid, int max_blocks) {
   int stride = 1;
   const auto count = [&](int cells) { return (cells + stride - 1) / stride; };
-  while (count(grid.nx()) * 2 * count(grid.nv() / 2) > max_blocks) ++stride;
+  while (count(grid.nx()) * 2 * count(grid.v_cell_count() / 2) > max_blocks) ++stride;
   return stride;
 }
 
-std::vector<int> block_indices(const Axis& axis, const Axis& blocks) {
+std::vector<int> block_indices(const GridAxis& axis, const GridAxis& blocks) {
   std::vector<int> block(axis.cell_count());
   int b = 0;
   for (int i = 0; i < axis.cell_count(); ++i) {
@@ -45,7 +45,8 @@ std::vector<int> block_indices(const Axis& axis, const Axis& blocks) {
 
 }  // namespace
 
-ChainAggregation::ChainAggregation(const Grid& grid, int atom_count, int max_blocks)
+MarkovChainAggregation::MarkovChainAggregation(const PhasePlaneGrid& grid, int atom_count,
+                                               int max_blocks)
     : grid_(grid),
       atoms_(atom_count),
       blocks_(coarsened_grid(grid, block_stride(grid, max_blocks))) {
@@ -54,7 +55,7 @@ ChainAggregation::ChainAggregation(const Grid& grid, int atom_count, int max_blo
   set_disaggregation_weights(Eigen::VectorXd::Zero(grid.size() + atom_count));
 }
 
-void ChainAggregation::set_block_chain(
+void MarkovChainAggregation::set_block_chain(
     const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& step) {
   const int count = blocks_.size() + atoms_;
   Eigen::MatrixXd system(count, count);
@@ -64,46 +65,49 @@ void ChainAggregation::set_block_chain(
     system.col(b) = one - step(one);
     one(b) = 0;
   }
-  // The term start 1^T, with `start` proportional to the block areas, makes the matrix 1 - A
-  // nonsingular.
+  // The singular matrix I - A of a Markov chain becomes nonsingular by the added term start 1^T,
+  // with `start` proportional to the areas of the blocks of cells.
   Eigen::VectorXd added = Eigen::VectorXd::Zero(count);
   added.head(blocks_.size()) = blocks_.cell_areas() / blocks_.cell_areas().sum();
   system.colwise() += added;
   factors_.compute(system);
 }
 
-void ChainAggregation::set_disaggregation_weights(const Eigen::VectorXd& masses) {
+void MarkovChainAggregation::set_disaggregation_weights(const Eigen::VectorXd& masses) {
   constexpr double kEven = 1e-6;  // fraction of the total mass that is distributed evenly
   const Eigen::VectorXd areas = grid_.cell_areas();
   weights_ = masses.cwiseMax(0);
   weights_.head(grid_.size()) += kEven / areas.sum() * areas;
-  const Eigen::VectorXd sums = sum_over_blocks(weights_);
+  const Eigen::VectorXd sums = sum_masses_over_blocks(weights_);
   for (int i = 0; i < grid_.nx(); ++i) {
-    for (int j = 0; j < grid_.nv(); ++j) {
-      weights_(i * grid_.nv() + j) /= sums(block_of_y_[i] * blocks_.nv() + block_of_v_[j]);
+    for (int j = 0; j < grid_.v_cell_count(); ++j) {
+      weights_(i * grid_.v_cell_count() + j) /=
+          sums(block_of_y_[i] * blocks_.v_cell_count() + block_of_v_[j]);
     }
   }
 }
 
-Eigen::VectorXd ChainAggregation::sum_over_blocks(
+Eigen::VectorXd MarkovChainAggregation::sum_masses_over_blocks(
     const Eigen::Ref<const Eigen::VectorXd>& masses) const {
   Eigen::VectorXd sums = Eigen::VectorXd::Zero(blocks_.size() + atoms_);
   sums.tail(atoms_) = masses.tail(atoms_);
   for (int i = 0; i < grid_.nx(); ++i) {
-    for (int j = 0; j < grid_.nv(); ++j) {
-      sums(block_of_y_[i] * blocks_.nv() + block_of_v_[j]) += masses(i * grid_.nv() + j);
+    for (int j = 0; j < grid_.v_cell_count(); ++j) {
+      sums(block_of_y_[i] * blocks_.v_cell_count() + block_of_v_[j]) +=
+          masses(i * grid_.v_cell_count() + j);
     }
   }
   return sums;
 }
 
-void ChainAggregation::apply_coarse_correction(Eigen::Ref<Eigen::VectorXd> masses) const {
-  const Eigen::VectorXd sums = sum_over_blocks(masses);
+void MarkovChainAggregation::apply_coarse_correction(Eigen::Ref<Eigen::VectorXd> masses) const {
+  const Eigen::VectorXd sums = sum_masses_over_blocks(masses);
   const Eigen::VectorXd missing = factors_.solve(sums) - sums;
   for (int i = 0; i < grid_.nx(); ++i) {
-    for (int j = 0; j < grid_.nv(); ++j) {
-      const int cell = i * grid_.nv() + j;
-      masses(cell) += weights_(cell) * missing(block_of_y_[i] * blocks_.nv() + block_of_v_[j]);
+    for (int j = 0; j < grid_.v_cell_count(); ++j) {
+      const int cell = i * grid_.v_cell_count() + j;
+      masses(cell) +=
+          weights_(cell) * missing(block_of_y_[i] * blocks_.v_cell_count() + block_of_v_[j]);
     }
   }
   masses.tail(atoms_) += missing.tail(atoms_);
@@ -113,8 +117,8 @@ namespace {
 
 class EmbeddedChain {
  public:
-  EmbeddedChain(const problem::Problem& problem, const Grid& grid, int characteristics_per_cell,
-                const base::Deadline& deadline)
+  EmbeddedChain(const problem::Problem& problem, const PhasePlaneGrid& grid,
+                int characteristics_per_cell, const base::Deadline& deadline)
       : grid_(grid),
         jumps_(cell_jump_matrices(grid.x2, problem.impulses.amplitude_law())),
         characteristics_(problem.system, grid, problem.impulses.arrival_rate(),
@@ -132,9 +136,10 @@ class EmbeddedChain {
     return apply_jump(ended) + continuing;
   }
 
-  // Applies the transport operator: p = T q.
+  // Applies the transport operator, which maps the state after an impulse to the state before the
+  // next impulse.
   TransportOperator::TransportedMasses apply_flow(const Eigen::VectorXd& masses_after_impulse,
-                                                  WallImpacts* impacts = nullptr) const {
+                                                  ImpactSumsOfBothWalls* impacts = nullptr) const {
     return transport_(masses_after_impulse,
                       has_slopes_ ? slopes_after_(masses_after_impulse) : zero_slopes(), impacts);
   }
@@ -164,44 +169,45 @@ class EmbeddedChain {
   }
 
  private:
-  CellSlopes zero_slopes() const {
+  DensitySlopesInCells zero_slopes() const {
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(grid_.size());
     return {zero, zero};
   }
   Eigen::VectorXd apply_flow_without_slopes(const Eigen::VectorXd& masses_after_impulse) const {
     return transport_(masses_after_impulse, zero_slopes()).ended;
   }
-  // Returns the masses as a matrix with one column for each cell of x1.
+  // Returns the masses of all grid cells as a matrix with one column for each cell of x1.
   Eigen::Map<Eigen::MatrixXd> velocity_columns(Eigen::VectorXd& masses) const {
-    return {masses.data(), grid_.nv(), grid_.nx()};
+    return {masses.data(), grid_.v_cell_count(), grid_.nx()};
   }
   Eigen::Map<const Eigen::MatrixXd> velocity_columns(const Eigen::VectorXd& masses) const {
-    return {masses.data(), grid_.nv(), grid_.nx()};
+    return {masses.data(), grid_.v_cell_count(), grid_.nx()};
   }
 
-  const Grid& grid_;
+  const PhasePlaneGrid& grid_;
   CellJumpMatrices jumps_;
   Characteristics characteristics_;
   TransportOperator transport_;
-  SlopeReconstruction slopes_after_, slopes_before_;
+  DensitySlopeReconstruction slopes_after_, slopes_before_;
   bool has_slopes_ = false;
 };
 
-// Tolerances of ||J p + r - q||_1; the rough solution only determines the slope limiter.
+// Tolerances of the residual of the embedded Markov chain, in the L1 norm; the first, rough
+// solution only determines the slope limiter.
 constexpr double kChainTolerance = 1e-10, kRoughChainTolerance = 1e-9;
 
 // Adds to q, of mass 1, the solution d, of mass 0, of d - A d + q (1, d) = A q - q, where A is a
 // step of the chain.
-void solve_chain_by_gmres(const EmbeddedChain& chain, const ChainAggregation& aggregation,
+void solve_chain_by_gmres(const EmbeddedChain& chain, const MarkovChainAggregation& aggregation,
                           double tolerance, const base::Deadline& deadline,
-                          Eigen::VectorXd& masses_after_impulse, StationaryMasses& result) {
+                          Eigen::VectorXd& masses_after_impulse, StationaryCellMasses& result) {
   const Eigen::VectorXd defect = chain.apply_step(masses_after_impulse) - masses_after_impulse;
   const double norm = defect.cwiseAbs().sum();
   if (norm <= tolerance) return;
   const LinearMap map = [&](const Eigen::VectorXd& d) -> Eigen::VectorXd {
     return d - chain.apply_step(d) + masses_after_impulse * d.sum();
   };
-  const ApproximateSolve correct = [&](Eigen::Ref<Eigen::VectorXd> d) {
+  const ApproximateLinearSolver correct = [&](Eigen::Ref<Eigen::VectorXd> d) {
     aggregation.apply_coarse_correction(d);
   };
   const auto found =
@@ -226,9 +232,11 @@ int max_block_count(const problem::Problem& problem, const problem::MotionScales
 
 }  // namespace
 
-StationaryMasses stationary_masses(const problem::Problem& problem,
-                                   const problem::MotionScales& scales, const Grid& grid,
-                                   int characteristics_per_cell, const base::Deadline& deadline) {
+StationaryCellMasses stationary_cell_masses(const problem::Problem& problem,
+                                            const problem::MotionScales& scales,
+                                            const PhasePlaneGrid& grid,
+                                            int characteristics_per_cell,
+                                            const base::Deadline& deadline) {
   EmbeddedChain chain(problem, grid, characteristics_per_cell, deadline);
   const auto& characteristics = chain.characteristics();
   const auto& points = characteristics.rest_points();
@@ -238,10 +246,10 @@ StationaryMasses stationary_masses(const problem::Problem& problem,
             .visits = static_cast<long>(characteristics.cell_visits().size())};
   }
   const auto atoms = static_cast<int>(characteristics.contact_rest_point_indices().size());
-  ChainAggregation aggregation(grid, atoms, max_block_count(problem, scales));
+  MarkovChainAggregation aggregation(grid, atoms, max_block_count(problem, scales));
   {
-    const EmbeddedChain block_chain(problem, aggregation.block_grid(), characteristics_per_cell,
-                                    deadline);
+    const EmbeddedChain block_chain(problem, aggregation.grid_of_cell_blocks(),
+                                    characteristics_per_cell, deadline);
     if (const std::string why = block_chain.characteristics().failure_reason(); !why.empty()) {
       return {.masses = std::nullopt, .failure = why};
     }
@@ -249,9 +257,9 @@ StationaryMasses stationary_masses(const problem::Problem& problem,
       return block_chain.apply_step(masses_after_impulse);
     });
   }
-  StationaryMasses result{.masses = std::nullopt,
-                          .rest = points,
-                          .visits = static_cast<long>(characteristics.cell_visits().size())};
+  StationaryCellMasses result{.masses = std::nullopt,
+                              .rest = points,
+                              .visits = static_cast<long>(characteristics.cell_visits().size())};
   // The initial state is the oscillator at rest; without a rest point, the uniform distribution.
   Eigen::VectorXd start = Eigen::VectorXd::Zero(grid.size() + atoms);
   for (const RestPoint& point : points) {
@@ -274,8 +282,8 @@ StationaryMasses stationary_masses(const problem::Problem& problem,
   result.residual = (chain.apply_jump(masses_before_impulse) + continuing - masses_after_impulse)
                         .cwiseAbs()
                         .sum();
-  // Impacts are counted per unit mass of q. With walls every characteristic ends at a wall or at
-  // rest, so that the sum of p is 1.
+  // Impacts are counted per unit mass of the state after an impulse. In a problem with walls every
+  // characteristic ends at a wall or at rest, so that the masses between impulses sum to 1.
   assert(!(problem.system.left_wall() || problem.system.right_wall()) || points.empty() ||
          std::abs(continuing.sum()) < 1e-9);
   const Eigen::VectorXd masses = masses_before_impulse / masses_before_impulse.sum();

@@ -11,8 +11,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Largest product of damping and Runge-Kutta step. The stability limit on the negative real axis is
-// 2.78; up to 0.75 the computed decay is accurate.
+// Largest product of the damping coefficient and the Runge-Kutta time step. The stability limit on
+// the negative real axis is 2.78; up to 0.75 the computed decay is accurate.
 constexpr double kStability = 0.75;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -24,48 +24,50 @@ double integrated_exponential(double s, double duration) {
 
 }  // namespace
 
-Flow::Flow(const problem::System& system) : system_(system), potential_(system) {
+DeterministicFlow::DeterministicFlow(const problem::System& system)
+    : system_(system), potential_(system) {
   if (system.has_polynomial_force()) {
-    stiffness_extrema_ =
-        problem::sign_change_points_between_walls(system.tangent_stiffness().derivative(), system);
+    stiffness_extrema_ = problem::polynomial_sign_changes_between_walls(
+        system.tangent_stiffness().derivative(), system);
   }
 }
 
-double Flow::distance_from_wall(double y, WallSide side) const {
+double DeterministicFlow::distance_from_wall(double y, WallSide side) const {
   assert(wall(side));
   return inward_sign(side) * (y - wall(side)->position);
 }
 
-std::optional<WallSide> Flow::passed_wall(double y) const {
+std::optional<WallSide> DeterministicFlow::passed_wall(double y) const {
   if (system_.left_wall() && y < system_.left_wall()->position) return WallSide::left;
   if (system_.right_wall() && y > system_.right_wall()->position) return WallSide::right;
   return std::nullopt;
 }
 
-double Flow::acceleration(const PhaseState& state) const {
+double DeterministicFlow::acceleration(const PhaseState& state) const {
   return -system_.force(state.y, state.v);
 }
 
-double Flow::contraction_rate(const PhaseState& state) const {
+double DeterministicFlow::contraction_rate(const PhaseState& state) const {
   return system_.force_slope_in_v(state.y, state.v);
 }
 
 // Returns the exact solution after a time step for forces linearised about the state. The solution
 // consists of exponentials of the roots s of s^2 + f_v s + (f_y + g') = 0. The roots are real
 // whenever a step exceeds the stability limit of explicit methods.
-PhaseState Flow::advance_overdamped(const PhaseState& from, double duration) const {
+PhaseState DeterministicFlow::advance_overdamped(const PhaseState& from, double duration) const {
   const auto [slow, fast, v_slow, v_fast] = overdamped_modes(from);
   return {from.y + v_slow * integrated_exponential(slow, duration) +
               v_fast * integrated_exponential(fast, duration),
           v_slow * std::exp(slow * duration) + v_fast * std::exp(fast * duration)};
 }
 
-bool Flow::is_overdamped(const PhaseState& state) const {
+bool DeterministicFlow::is_overdamped(const PhaseState& state) const {
   const double damping = contraction_rate(state);
   return damping > 0 && damping * damping > 4 * system_.force_slope_in_y(state.y, state.v);
 }
 
-Flow::OverdampedModes Flow::overdamped_modes(const PhaseState& state) const {
+DeterministicFlow::OverdampedModes DeterministicFlow::overdamped_modes(
+    const PhaseState& state) const {
   const double damping = contraction_rate(state);
   const double stiffness = system_.force_slope_in_y(state.y, state.v);
   const double root = std::sqrt(std::max(0.0, damping * damping - 4 * stiffness));
@@ -74,7 +76,7 @@ Flow::OverdampedModes Flow::overdamped_modes(const PhaseState& state) const {
   return {.slow = slow, .fast = fast, .v_slow = state.v - v_fast, .v_fast = v_fast};
 }
 
-PhaseState Flow::advance_state(const PhaseState& from, double duration) const {
+PhaseState DeterministicFlow::advance_state(const PhaseState& from, double duration) const {
   if (contraction_rate(from) * duration > kStability && is_overdamped(from)) {
     const PhaseState full = advance_overdamped(from, duration);
     const PhaseState halves =
@@ -93,25 +95,25 @@ PhaseState Flow::advance_state(const PhaseState& from, double duration) const {
           from.v + duration / 6 * (a.v + 2 * b.v + 2 * c.v + d.v)};
 }
 
-double Flow::max_time_step(const PhaseState& from,
-                           const AccessibleInterval& accessible_interval) const {
-  // Largest relative change of the state in a step, in the energy norm
+double DeterministicFlow::max_time_step(
+    const PhaseState& from, const AccessibleDisplacements& accessible_displacements) const {
+  // Largest relative change of the oscillator state in one time step, in the energy norm
   constexpr double kChange = 0.1;
   // Near a saddle, and without a force, the rate of change of the state is small but increases
   // quickly, so that the step also needs the limits kLongest and kIntervalFraction.
   constexpr double kLongest = 0.3, kIntervalFraction = 0.1;
-  const double size =
-      std::sqrt(2 * std::max(0.0, mechanical_energy(from) - accessible_interval.least_potential));
-  const double rate = std::hypot(accessible_interval.frequency * from.v, acceleration(from));
+  const double size = std::sqrt(
+      2 * std::max(0.0, mechanical_energy(from) - accessible_displacements.least_potential));
+  const double rate = std::hypot(accessible_displacements.frequency * from.v, acceleration(from));
   const double free = kChange * size / rate;
-  const double across = accessible_interval.high > accessible_interval.low
+  const double across = accessible_displacements.high > accessible_displacements.low
                             ? kIntervalFraction *
-                                  (accessible_interval.high - accessible_interval.low) /
+                                  (accessible_displacements.high - accessible_displacements.low) /
                                   std::abs(from.v)
                             : kInfinity;
-  const double span = std::min({free, kLongest / accessible_interval.frequency, across});
+  const double span = std::min({free, kLongest / accessible_displacements.frequency, across});
   if (!system_.has_polynomial_force()) {
-    return resolved_time_step(from, span, size, accessible_interval.frequency);
+    return resolved_time_step(from, span, size, accessible_displacements.frequency);
   }
   const double damping = contraction_rate(from);
   if (damping * span <= kStability) return span;
@@ -125,10 +127,10 @@ double Flow::max_time_step(const PhaseState& from,
 }
 
 // Returns the longest step, of `duration` divided by powers of 2, that agrees with two half steps.
-// The force and the slopes of the force at one state do not determine the step, because a formula
+// The force and its slopes at one state do not determine an accurate time step, because a formula
 // such as tanh(20 v) may change sharply within the step.
-double Flow::resolved_time_step(const PhaseState& from, double duration, double size,
-                                double frequency) const {
+double DeterministicFlow::resolved_time_step(const PhaseState& from, double duration, double size,
+                                             double frequency) const {
   // Largest error of a step relative to the state, in the energy norm. With the value 1e-8 of
   // kError, E[y^2] of 0.02*v + 0.1*tanh(20*v) + y at a wall changes by a relative 5e-6 (`fpkcheck
   // fd --transport characteristics`).
@@ -145,8 +147,8 @@ double Flow::resolved_time_step(const PhaseState& from, double duration, double 
   return duration;
 }
 
-// Returns the largest |g'| between two displacements.
-double Flow::largest_stiffness(double low, double high) const {
+// Returns the largest |g'(y)| of the restoring force g between two displacements.
+double DeterministicFlow::largest_stiffness(double low, double high) const {
   double largest = 0;
   const auto inspect = [&](double y) {
     if (y >= low && y <= high)
@@ -165,7 +167,7 @@ double Flow::largest_stiffness(double low, double high) const {
 }
 
 // The potential is monotone between its extrema, and increases beyond the outermost extrema.
-double Flow::end_of_accessible_interval(double y, double energy, WallSide side) const {
+double DeterministicFlow::end_of_accessible_interval(double y, double energy, WallSide side) const {
   const double sign = -inward_sign(side);
   const auto inside = [&](double at) { return potential_(at) < energy; };
   const auto between = [&](double within, double beyond) {
@@ -193,41 +195,41 @@ double Flow::end_of_accessible_interval(double y, double energy, WallSide side) 
   return between(reached, reached + sign * step);
 }
 
-AccessibleInterval Flow::accessible_interval(const PhaseState& state) const {
+AccessibleDisplacements DeterministicFlow::accessible_displacements(const PhaseState& state) const {
   const double level = mechanical_energy(state);
-  AccessibleInterval accessible_interval{
+  AccessibleDisplacements accessible_displacements{
       .low = end_of_accessible_interval(state.y, level, WallSide::left),
       .high = end_of_accessible_interval(state.y, level, WallSide::right),
       .least_potential = 0,
       .frequency = 0};
   const auto inside = [&](double y) {
-    return y > accessible_interval.low && y < accessible_interval.high;
+    return y > accessible_displacements.low && y < accessible_displacements.high;
   };
-  accessible_interval.least_potential =
-      std::min(potential_(accessible_interval.low), potential_(accessible_interval.high));
+  accessible_displacements.least_potential =
+      std::min(potential_(accessible_displacements.low), potential_(accessible_displacements.high));
   for (const double y : potential_extrema()) {
     if (inside(y))
-      accessible_interval.least_potential =
-          std::min(accessible_interval.least_potential, potential_(y));
+      accessible_displacements.least_potential =
+          std::min(accessible_displacements.least_potential, potential_(y));
   }
-  accessible_interval.frequency =
-      std::sqrt(largest_stiffness(accessible_interval.low, accessible_interval.high));
-  return accessible_interval;
+  accessible_displacements.frequency =
+      std::sqrt(largest_stiffness(accessible_displacements.low, accessible_displacements.high));
+  return accessible_displacements;
 }
 
-HalfCycle Flow::half_cycle(double speed) const {
+HalfCycle DeterministicFlow::half_cycle(double speed) const {
   constexpr double kCreeping = 1e-6;
   const double wall = system_.left_wall()->position;
   PhaseState state{wall, speed};
   HalfCycle half_cycle{.height = 0, .duration = kInfinity};
   double duration = 0;
-  const AccessibleInterval accessible_interval = this->accessible_interval(state);
-  while (mechanical_energy(state) - accessible_interval.least_potential >
+  const AccessibleDisplacements accessible_displacements = this->accessible_displacements(state);
+  while (mechanical_energy(state) - accessible_displacements.least_potential >
          kCreeping * speed * speed) {
-    const double span = max_time_step(state, accessible_interval);
+    const double span = max_time_step(state, accessible_displacements);
     const PhaseState end = advance_state(state, span);
     if (state.v > 0 && end.v <= 0) {
-      // The time of the turning point follows from linear interpolation of the velocity.
+      // Linear interpolation of the velocity gives the time of the turning point.
       const double until = span * state.v / (state.v - end.v);
       half_cycle.height = std::max(half_cycle.height, advance_state(state, until).y - wall);
     }
@@ -248,12 +250,14 @@ HalfCycle Flow::half_cycle(double speed) const {
   return half_cycle;
 }
 
-double Flow::impact_time(const PhaseState& from, double duration, WallSide side) const {
+double DeterministicFlow::impact_time(const PhaseState& from, double duration,
+                                      WallSide side) const {
   assert(distance_from_wall(advance_state(from, duration).y, side) <= 0);
   double before = 0, until = duration;
   const double distance_now = distance_from_wall(from.y, side);
-  // The initial guess is the time at which the chord of the path meets the wall. For a flight that
-  // starts at the wall the guess is half of the time step.
+  // The initial guess of the impact time is the time at which the chord of the path meets the wall.
+  // For a flight that starts at the wall, the initial guess of the impact time is half of the time
+  // step.
   double guess =
       distance_now > 0
           ? duration * distance_now /

@@ -18,15 +18,16 @@ enum class WallSide { left, right };
 constexpr double inward_sign(WallSide side) { return side == WallSide::left ? 1 : -1; }
 
 /// Interval of displacements that undamped motion from a state would reach. Each end of the
-/// interval is a turning point or a wall.
-struct AccessibleInterval {
+/// interval of accessible displacements is a turning point or a wall.
+struct AccessibleDisplacements {
   double low, high;
   double least_potential;
-  /// Square root of the largest |g'(y)| in the interval, in radians per unit time
+  /// Square root of the largest |g'(y)| of the restoring force g in the interval, in radians per
+  /// unit time
   double frequency;
 };
 
-/// Half-cycle: the motion from the left wall to the next impact on the left wall.
+/// Half-cycle of the oscillator: the motion from the left wall to the next impact on the left wall.
 struct HalfCycle {
   double height;        ///< largest distance from the wall during the half-cycle
   double duration = 0;  ///< duration of the half-cycle; infinite without a further impact
@@ -35,9 +36,9 @@ struct HalfCycle {
 
 /// Motion between impulses and impacts, y'' + f(y, y') + g(y) = 0, whose trajectories are the
 /// characteristics of the density equation.
-class Flow {
+class DeterministicFlow {
  public:
-  explicit Flow(const problem::System& system);
+  explicit DeterministicFlow(const problem::System& system);
 
   const std::optional<problem::Wall>& wall(WallSide side) const {
     return side == WallSide::left ? system_.left_wall() : system_.right_wall();
@@ -58,7 +59,7 @@ class Flow {
   }
   double potential_energy(double y) const { return potential_(y); }
   /// Returns the positions of the extrema of the potential between the walls, in increasing order.
-  const std::vector<double>& potential_extrema() const { return potential_.extrema(); }
+  const std::vector<double>& potential_extrema() const { return potential_.extremum_positions(); }
 
   /// Returns the state after one time step of the classical Runge-Kutta method. Where strong
   /// damping makes the Runge-Kutta method unstable, an exponential (Rosenbrock-Euler) method with
@@ -68,9 +69,11 @@ class Flow {
   /// Returns the largest time step with which advance_state() is accurate. The relative error of
   /// the state is about 1e-7 after one step and 1e-6 to 1e-5 after a half-cycle. For overdamped
   /// motion towards a rest point the relative error is 1e-4.
-  /// @param accessible_interval interval of the state `from` or of an earlier state of the motion
-  double max_time_step(const PhaseState& from, const AccessibleInterval& accessible_interval) const;
-  AccessibleInterval accessible_interval(const PhaseState& state) const;
+  /// @param accessible_displacements interval of the state `from` or of an earlier state of the
+  /// motion
+  double max_time_step(const PhaseState& from,
+                       const AccessibleDisplacements& accessible_displacements) const;
+  AccessibleDisplacements accessible_displacements(const PhaseState& state) const;
 
   /// Returns the half-cycle that starts at the left wall with the given speed > 0.
   HalfCycle half_cycle(double speed) const;
@@ -80,8 +83,8 @@ class Flow {
   double impact_time(const PhaseState& from, double duration, WallSide side) const;
 
  private:
-  /// Two modes of overdamped motion under linearised forces, v = v_slow exp(slow t) + v_fast
-  /// exp(fast t).
+  /// Slow and fast mode of overdamped motion under linearised forces, with the velocity v = v_slow
+  /// exp(slow t) + v_fast exp(fast t).
   struct OverdampedModes {
     double slow, fast, v_slow, v_fast;
   };

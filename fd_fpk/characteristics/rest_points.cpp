@@ -7,32 +7,32 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Returns the force on the mass at rest, positive towards the wall.
-double force_towards_wall(const Flow& flow, WallSide side) {
+// Returns the force on the mass at rest at a wall, positive towards the wall.
+double force_towards_wall(const DeterministicFlow& flow, WallSide side) {
   return inward_sign(side) * flow.static_force(flow.wall(side)->position);
 }
 
 // Half-cycle of small amplitude from the wall, up to the next impact or until the motion is
-// overdamped. The fraction of the time with v < 0 is weighted by exp(-impulse_rate t).
-struct SmallHalfCycle {
+// overdamped. The fraction of the time with negative velocity is weighted by exp(-impulse_rate t).
+struct SmallAmplitudeHalfCycle {
   double fraction_below;
   double impact_rate;
 };
-SmallHalfCycle small_half_cycle(const Flow& flow, WallSide side, double speed,
-                                double impulse_rate) {
+SmallAmplitudeHalfCycle small_half_cycle(const DeterministicFlow& flow, WallSide side, double speed,
+                                         double impulse_rate) {
   constexpr double kAtRest = 1e-6;
   constexpr int kFiner = 10;  // factor by which the time steps are shortened
   constexpr long kMostSteps = 20000;
   const double wall = flow.wall(side)->position;
-  const SmallHalfCycle creeping{.fraction_below = side == WallSide::left ? 1.0 : 0.0,
-                                .impact_rate = 0};
+  const SmallAmplitudeHalfCycle creeping{.fraction_below = side == WallSide::left ? 1.0 : 0.0,
+                                         .impact_rate = 0};
   PhaseState state{wall, inward_sign(side) * speed};
   const double least = flow.potential_energy(wall);
   double below = 0, time = 0;
   for (long step = 0; step < kMostSteps; ++step) {
     const double left = flow.mechanical_energy(state) - least;
     if (left < kAtRest * kAtRest * speed * speed / 2) return creeping;
-    double span = flow.max_time_step(state, flow.accessible_interval(state)) / kFiner;
+    double span = flow.max_time_step(state, flow.accessible_displacements(state)) / kFiner;
     PhaseState end = flow.advance_state(state, span);
     const bool impact = flow.passed_wall(end.y) == side;
     if (impact) {
@@ -51,9 +51,9 @@ SmallHalfCycle small_half_cycle(const Flow& flow, WallSide side, double speed,
   return creeping;
 }
 
-// Returns the columns of cells next to y: one column at a wall, two columns at a face between
-// cells.
-std::vector<int> cell_columns_at(const Axis& axis, double y) {
+// Returns the columns of grid cells next to the displacement y: one column if y is at a wall, two
+// columns if y is a face between cells.
+std::vector<int> cell_columns_at(const GridAxis& axis, double y) {
   std::vector<int> columns;
   for (int i = 0; i < axis.cell_count(); ++i) {
     if (axis.face_position(i) <= y && y <= axis.face_position(i + 1)) columns.push_back(i);
@@ -61,14 +61,14 @@ std::vector<int> cell_columns_at(const Axis& axis, double y) {
   return columns;
 }
 
-void assign_innermost_cells(const Flow& flow, const Grid& grid, double impulse_rate,
-                            RestPoint& point) {
-  const int middle = grid.nv() / 2;
+void assign_innermost_cells(const DeterministicFlow& flow, const PhasePlaneGrid& grid,
+                            double impulse_rate, RestPoint& point) {
+  const int middle = grid.v_cell_count() / 2;
   const double v = grid.x2.face_position(middle + 1);
   const auto columns = cell_columns_at(grid.x1, point.y);
   const double low = grid.x1.face_position(columns.front()),
                high = grid.x1.face_position(columns.back() + 1);
-  const auto cell = [&](int i, int j) { return i * grid.nv() + j; };
+  const auto cell = [&](int i, int j) { return i * grid.v_cell_count() + j; };
   // The escape energy is the smallest energy on the boundary of the innermost cells, except on
   // walls.
   point.escape_energy = flow.potential_energy(point.y) + v * v / 2;
@@ -98,7 +98,7 @@ void assign_innermost_cells(const Flow& flow, const Grid& grid, double impulse_r
 
 }  // namespace
 
-std::vector<RestPoint> find_rest_points(const Flow& flow) {
+std::vector<RestPoint> find_rest_points(const DeterministicFlow& flow) {
   std::vector<RestPoint> points;
   const auto& potential_extrema = flow.potential_extrema();
   const auto at_wall = [&](WallSide side) {
@@ -132,7 +132,8 @@ std::vector<RestPoint> find_rest_points(const Flow& flow) {
   return points;
 }
 
-std::vector<RestPoint> find_rest_points(const Flow& flow, const Grid& grid, double impulse_rate) {
+std::vector<RestPoint> find_rest_points(const DeterministicFlow& flow, const PhasePlaneGrid& grid,
+                                        double impulse_rate) {
   auto points = find_rest_points(flow);
   for (RestPoint& point : points) assign_innermost_cells(flow, grid, impulse_rate, point);
   return points;
@@ -141,7 +142,7 @@ std::vector<RestPoint> find_rest_points(const Flow& flow, const Grid& grid, doub
 namespace {
 
 // Returns the mean contraction rate along the limit cycle to which the motion tends.
-double contraction_rate_of_limit_cycle(const Flow& flow) {
+double contraction_rate_of_limit_cycle(const DeterministicFlow& flow) {
   constexpr int kTransient = 10, kCycles = 10;
   constexpr long kMostSteps = 100000;
   const double centre = flow.potential_extrema().empty() ? 0 : flow.potential_extrema().front();
@@ -149,7 +150,7 @@ double contraction_rate_of_limit_cycle(const Flow& flow) {
   double contracted = 0, time = 0;
   int cycles = 0;
   for (long step = 0; step < kMostSteps && cycles < kTransient + kCycles; ++step) {
-    const double span = flow.max_time_step(state, flow.accessible_interval(state));
+    const double span = flow.max_time_step(state, flow.accessible_displacements(state));
     const PhaseState end = flow.advance_state(state, span);
     if (state.v <= 0 && end.v > 0) ++cycles;
     if (cycles >= kTransient) {
@@ -163,7 +164,7 @@ double contraction_rate_of_limit_cycle(const Flow& flow) {
 
 }  // namespace
 
-double contraction_rate_of_attractors(const Flow& flow) {
+double contraction_rate_of_attractors(const DeterministicFlow& flow) {
   const auto points = find_rest_points(flow);
   if (points.empty()) return contraction_rate_of_limit_cycle(flow);
   double largest = 0;

@@ -8,7 +8,7 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Cell, and the fraction of the mass at rest that the cell contains.
+/// Index of a grid cell, and the fraction of the mass at a rest point that the cell contains.
 struct RestMassShare {
   int cell;
   double share;
@@ -21,11 +21,11 @@ struct RestMassShare {
 struct RestPoint {
   double y;
   std::optional<WallSide> contact = {};  ///< wall of the contact; empty for an equilibrium
-  /// Innermost cells around the rest point. The mass of the residual motion about an equilibrium is
-  /// distributed over the innermost cells in proportion to the time spent in each cell. Motion that
-  /// starts in the innermost cells of a contact comes to rest.
+  /// Innermost grid cells around a rest point of the motion. The mass in slow motion about an
+  /// equilibrium is distributed over the innermost cells in proportion to the time that the motion
+  /// spends in each cell. Motion that starts in the innermost cells of a contact comes to rest.
   std::vector<RestMassShare> cells = {};
-  /// Energy below which motion does not leave the innermost cells of an equilibrium
+  /// Energy below which motion does not leave the innermost grid cells of an equilibrium
   double escape_energy = 0;
   /// Impacts per unit time of the residual motion at an equilibrium at a wall
   double impact_rate = 0;
@@ -33,15 +33,16 @@ struct RestPoint {
 
 /// Returns all rest points of the motion, by increasing y, with innermost cells.
 /// @param impulse_rate arrival rate of impulses, per unit time
-std::vector<RestPoint> find_rest_points(const Flow& flow, const Grid& grid, double impulse_rate);
+std::vector<RestPoint> find_rest_points(const DeterministicFlow& flow, const PhasePlaneGrid& grid,
+                                        double impulse_rate);
 
 /// Returns all rest points of the motion, by increasing y, without innermost cells.
-std::vector<RestPoint> find_rest_points(const Flow& flow);
+std::vector<RestPoint> find_rest_points(const DeterministicFlow& flow);
 
 /// Returns the largest rate at which the motion contracts areas of the phase plane near its
 /// equilibria, or, without a rest point, the mean rate along a limit cycle. If impulses arrive at a
 /// lower rate than the contraction rate, the stationary density is unbounded.
-double contraction_rate_of_attractors(const Flow& flow);
+double contraction_rate_of_attractors(const DeterministicFlow& flow);
 
 /// Returns the distance to an equilibrium, relative to the typical amplitude A, below which cells
 /// have a constant width. Under rare impulses most of the mass is at rest in the innermost cells.
@@ -52,8 +53,9 @@ double contraction_rate_of_attractors(const Flow& flow);
 double relative_uniform_cell_radius(double deviation, double typical_amplitude);
 
 /// Cascade of impacts by which motion that starts at a wall comes to rest in contact. During the
-/// cascade the acceleration a towards the wall is nearly constant. For an initial speed u the
-/// impact speeds are r^n u, n = 0, 1, .., and the total time is 2 u / (a (1 - r)).
+/// cascade the acceleration a towards the wall is nearly constant. If the first impact speed is u
+/// and the restitution coefficient is r, the impact speeds are r^n u, n = 0, 1, .., and the cascade
+/// takes the time 2 u / (a (1 - r)).
 struct ImpactCascade {
   double rest_probability;  ///< probability that the motion comes to rest before the next impulse
   double momentum;          ///< sum of the impact speeds over all impacts

@@ -15,7 +15,8 @@ namespace fpkcheck::fd_fpk {
 // Returns the weights of the masses m_i in the slope of each cell. The slope of the middle cell is
 // the derivative of the parabola through the densities m_i / h_i of three cells, times the cell
 // width h.
-std::vector<SlopeReconstruction::Weights> SlopeReconstruction::slope_weights(const Axis& axis) {
+std::vector<DensitySlopeReconstruction::Weights> DensitySlopeReconstruction::slope_weights(
+    const GridAxis& axis) {
   std::vector<Weights> weights(axis.cell_count(), Weights{0, 0, 0});
   for (int i = 0; i < axis.cell_count(); ++i) {
     const double h = axis.cell_width(i);
@@ -38,7 +39,8 @@ std::vector<SlopeReconstruction::Weights> SlopeReconstruction::slope_weights(con
   return weights;
 }
 
-SlopeReconstruction::SlopeReconstruction(const Grid& grid, const std::vector<RestPoint>& points)
+DensitySlopeReconstruction::DensitySlopeReconstruction(const PhasePlaneGrid& grid,
+                                                       const std::vector<RestPoint>& points)
     : grid_(grid),
       of_y_(slope_weights(grid.x1)),
       of_v_(slope_weights(grid.x2)),
@@ -50,8 +52,8 @@ SlopeReconstruction::SlopeReconstruction(const Grid& grid, const std::vector<Res
   }
 }
 
-Eigen::VectorXd SlopeReconstruction::velocity_slopes(const Eigen::VectorXd& masses) const {
-  const int nv = grid_.nv();
+Eigen::VectorXd DensitySlopeReconstruction::velocity_slopes(const Eigen::VectorXd& masses) const {
+  const int nv = grid_.v_cell_count();
   Eigen::VectorXd slopes(grid_.size());
   for (int i = 0; i < grid_.nx(); ++i) {
     for (int j = 0; j < nv; ++j) {
@@ -66,9 +68,9 @@ Eigen::VectorXd SlopeReconstruction::velocity_slopes(const Eigen::VectorXd& mass
   return slopes;
 }
 
-CellSlopes SlopeReconstruction::operator()(const Eigen::VectorXd& masses) const {
-  const int nx = grid_.nx(), nv = grid_.nv();
-  CellSlopes slopes{.y = Eigen::VectorXd(grid_.size()), .v = velocity_slopes(masses)};
+DensitySlopesInCells DensitySlopeReconstruction::operator()(const Eigen::VectorXd& masses) const {
+  const int nx = grid_.nx(), nv = grid_.v_cell_count();
+  DensitySlopesInCells slopes{.y = Eigen::VectorXd(grid_.size()), .v = velocity_slopes(masses)};
   for (int i = 0; i < nx; ++i) {
     const auto& [below, centre, above] = of_y_[i];
     for (int j = 0; j < nv; ++j) {
@@ -82,13 +84,13 @@ CellSlopes SlopeReconstruction::operator()(const Eigen::VectorXd& masses) const 
   return slopes;
 }
 
-void SlopeReconstruction::set_slope_limiter(const Eigen::VectorXd& masses) {
+void DensitySlopeReconstruction::set_slope_limiter(const Eigen::VectorXd& masses) {
   limits_y_.setOnes();
   limits_v_.setOnes();
   const auto [y, v] = (*this)(masses);
   for (int i = 0; i < grid_.nx(); ++i) {
-    for (int j = 0; j < grid_.nv(); ++j) {
-      const int cell = i * grid_.nv() + j;
+    for (int j = 0; j < grid_.v_cell_count(); ++j) {
+      const int cell = i * grid_.v_cell_count() + j;
       // Largest decrease of the density from the centre to a corner, times the cell area
       const double dip = (std::abs(y(cell)) * grid_.x1.cell_width(i) +
                           std::abs(v(cell)) * grid_.x2.cell_width(j)) /
@@ -101,19 +103,20 @@ void SlopeReconstruction::set_slope_limiter(const Eigen::VectorXd& masses) {
 
 namespace {
 
-// Data of a cell, contiguous in memory, since visits access the cells in no regular order.
+// Data of one grid cell, contiguous in memory, since the visits of characteristics access the cells
+// in no regular order.
 struct CellMass {
   double mass, slope_y, slope_v;
   double ended = 0;
 };
 
-// Sums of the masses of p = T q, and of the impacts, over a set of characteristics. The sums over
-// disjoint sets add up. Each object has its own cells, since threads add masses to the cells at the
-// same time.
-class TransportSums {
+// Sums of the masses of p = T q, and of the impacts, over a set of characteristics. Sums over
+// disjoint sets of characteristics can be added. Each object has its own array of cells, since
+// several threads add masses at the same time.
+class TransportedMassSums {
  public:
-  TransportSums(const Characteristics& characteristics, const Eigen::VectorXd& masses,
-                const CellSlopes& slopes)
+  TransportedMassSums(const Characteristics& characteristics, const Eigen::VectorXd& masses,
+                      const DensitySlopesInCells& slopes)
       : characteristics_(characteristics),
         continuing_(Eigen::VectorXd::Zero(masses.size())),
         at_rest_(characteristics.rest_points().size(), 0.0),
@@ -156,7 +159,8 @@ class TransportSums {
   // characteristics from walls after impacts.
   void add_characteristics_from_walls(double total_mass) {
     transport_masses_from_walls(kIncludeSources);
-    // With two walls, mass may continue on a characteristic that the pass has already processed.
+    // In a problem with two walls, mass may continue after an impact on a characteristic that the
+    // current pass over the characteristics has already processed.
     constexpr int kMostRounds = 1000;
     constexpr double kNothing = 1e-15;
     for (int round = 0; round < kMostRounds; ++round) {
@@ -167,13 +171,13 @@ class TransportSums {
     }
   }
 
-  void add_sums(const TransportSums& other) {
+  void add_sums(const TransportedMassSums& other) {
     for (std::size_t n = 0; n < cells_.size(); ++n) cells_[n].ended += other.cells_[n].ended;
     continuing_ += other.continuing_;
     for (std::size_t k = 0; k < at_rest_.size(); ++k) at_rest_[k] += other.at_rest_[k];
     for (std::size_t n = 0; n < entering_.size(); ++n) entering_[n] += other.entering_[n];
     for (const WallSide side : {WallSide::left, WallSide::right}) {
-      const ImpactSums& sums = other.impacts_.sums_at(side);
+      const WallImpactSums& sums = other.impacts_.impact_sums_at(side);
       add_impacts(side, sums.number, sums.momentum, sums.energy);
     }
   }
@@ -195,22 +199,22 @@ class TransportSums {
     return {.ended = std::move(ended), .continuing = std::move(continuing_)};
   }
 
-  const WallImpacts& impacts() const { return impacts_; }
+  const ImpactSumsOfBothWalls& impacts() const { return impacts_; }
 
  private:
   static constexpr std::true_type kIncludeSources{};
-  // Tag of all passes after the first pass. Later passes do not add the masses that start in the
-  // cells
+  // Tag of all passes over the characteristics after the first pass. Later passes do not add the
+  // masses that start in the cells
   static constexpr std::false_type kExcludeSources{};
 
   void add_impacts(WallSide side, double number, double momentum, double energy) {
-    ImpactSums& sums = impacts_.sums_at(side);
+    WallImpactSums& sums = impacts_.impact_sums_at(side);
     sums.number += number;
     sums.momentum += momentum;
     sums.energy += energy;
   }
 
-  double mass_starting_in_visit(const CellVisit& visit) const {
+  double mass_starting_in_visit(const CharacteristicCellVisit& visit) const {
     const CellMass& cell = cells_[visit.cell];
     return visit.share * (cell.mass + cell.slope_y * visit.y + cell.slope_v * visit.v);
   }
@@ -220,11 +224,11 @@ class TransportSums {
                            std::bool_constant<with_sources>) {
     const auto& visits = characteristics_.cell_visits();
     for (std::size_t n = track.first; n < track.last; ++n) {
-      const CellVisit& visit = visits[n];
+      const CharacteristicCellVisit& visit = visits[n];
       const double begins = with_sources ? mass_starting_in_visit(visit) : 0;
       // The two updates are independent: the recurrence of `mass` needs only the previous `mass`.
-      cells_[visit.cell].ended += visit.ended * mass + visit.mean_end_probability * begins;
-      mass = (1.0 - visit.ended) * mass + (1.0 - visit.mean_end_probability) * begins;
+      cells_[visit.cell].ended += visit.ended * mass + visit.mean_impulse_probability * begins;
+      mass = (1.0 - visit.ended) * mass + (1.0 - visit.mean_impulse_probability) * begins;
     }
     return mass;
   }
@@ -235,8 +239,8 @@ class TransportSums {
       at_rest_[point] += mass;
       return;
     }
-    // Mass that receives an impulse during the cascade of impacts is distributed on both sides of v
-    // = 0.
+    // Mass that receives an impulse during a cascade of impacts is distributed over cells on both
+    // sides of v = 0.
     const ImpactCascade& cascade = *characteristic_end.cascade;
     at_rest_[point] += cascade.rest_probability * mass;
     for (const auto& [cell, share] : characteristics_.rest_points()[point].cells) {
@@ -270,8 +274,8 @@ class TransportSums {
       const CharacteristicEnd& characteristic_end = track.characteristic_end;
       double mass = std::exchange(entering_[n], 0.0);
       if (!with_sources && mass == 0) continue;
-      // If mass returns to a characteristic after an impact, the masses of all returns form a
-      // geometric series.
+      // If a part of the mass returns to the same characteristic after an impact, the masses of all
+      // returns form a geometric series.
       double again = 0;
       if (characteristic_end.wall && !characteristic_end.rest) {
         if (characteristic_end.faster == static_cast<int>(n))
@@ -282,9 +286,9 @@ class TransportSums {
       if (again > 0) {
         double lost = 0, left = 0;
         for (std::size_t m = track.first; m < track.last; ++m) {
-          const CellVisit& visit = visits[m];
+          const CharacteristicCellVisit& visit = visits[m];
           const double begins = with_sources ? mass_starting_in_visit(visit) : 0;
-          left = (1.0 - visit.ended) * left + (1.0 - visit.mean_end_probability) * begins;
+          left = (1.0 - visit.ended) * left + (1.0 - visit.mean_impulse_probability) * begins;
           lost += (1 - lost) * visit.ended;
         }
         mass = (mass + again * left) / (1 - again + again * lost);
@@ -300,7 +304,7 @@ class TransportSums {
   std::vector<CellMass> cells_;
   Eigen::VectorXd continuing_;
   std::vector<double> at_rest_, entering_;
-  WallImpacts impacts_;
+  ImpactSumsOfBothWalls impacts_;
 };
 
 }  // namespace
@@ -321,15 +325,15 @@ TransportOperator::TransportOperator(const Characteristics& characteristics,
   part_bounds_[kParts] = from_boundary.size();
 }
 
-TransportOperator::TransportedMasses TransportOperator::operator()(const Eigen::VectorXd& masses,
-                                                                   const CellSlopes& slopes,
-                                                                   WallImpacts* impacts) const {
-  std::array<std::optional<TransportSums>, kParts> parts;
+TransportOperator::TransportedMasses TransportOperator::operator()(
+    const Eigen::VectorXd& masses, const DensitySlopesInCells& slopes,
+    ImpactSumsOfBothWalls* impacts) const {
+  std::array<std::optional<TransportedMassSums>, kParts> parts;
   base::parallel_for(kParts, base::kOneThreadPerProcessor, [&](std::size_t part) {
     parts[part].emplace(characteristics_, masses, slopes);
     parts[part]->add_characteristics_from_boundary(part_bounds_[part], part_bounds_[part + 1]);
   });
-  TransportSums& sums = *parts[0];
+  TransportedMassSums& sums = *parts[0];
   for (std::size_t part = 1; part < kParts; ++part) sums.add_sums(*parts[part]);
   sums.add_masses_at_rest();
   const auto& contacts = characteristics_.contact_rest_point_indices();

@@ -205,7 +205,7 @@ void EnergyLevelGrid::add_eta_derivative(int i, int j, int order, double weight,
 void EnergyLevelGrid::add_impulses(int i, int j, Entries& entries) const {
   const problem::ImpulseLaw& law = *excitation_.law;
   const double rate = excitation_.impulse_rate, v = velocity(i, j);
-  const auto pieces = law.density_breakpoints();
+  const auto pieces = law.amplitude_density_breakpoints();
   for (std::size_t piece = 0; piece + 1 < pieces.size(); ++piece) {
     const double from = std::max(pieces[piece], -w_[i] - v),
                  to = std::min(pieces[piece + 1], w_[i] - v);
@@ -215,7 +215,7 @@ void EnergyLevelGrid::add_impulses(int i, int j, Entries& entries) const {
       add_value(i, (v + amplitude) / w_[i], rate * weight * law.density(amplitude), entries);
     }
   }
-  for (const auto& [amplitude, probability] : law.atoms()) {
+  for (const auto& [amplitude, probability] : law.amplitude_atoms()) {
     const double after = v + amplitude;
     if (std::abs(after) < w_[i]) add_value(i, after / w_[i], rate * probability, entries);
   }
@@ -316,7 +316,7 @@ Eigen::VectorXd EnergyLevelGrid::mean_after_impulse_weights(double y) const {
   const problem::ImpulseLaw& law = *excitation_.law;
   const double speed = speed_on_level(y);
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(size());
-  const auto pieces = law.density_breakpoints();
+  const auto pieces = law.amplitude_density_breakpoints();
   for (std::size_t piece = 0; piece + 1 < pieces.size(); ++piece) {
     // On a wall the slope of the mean time jumps at v = 0.
     for (const auto& [low, high] : {std::pair(-speed, 0.0), std::pair(0.0, speed)}) {
@@ -328,7 +328,7 @@ Eigen::VectorXd EnergyLevelGrid::mean_after_impulse_weights(double y) const {
       }
     }
   }
-  for (const auto& [v, probability] : law.atoms()) {
+  for (const auto& [v, probability] : law.amplitude_atoms()) {
     if (std::abs(v) < speed) weights += probability * value_weights(y, v);
   }
   return weights;

@@ -28,24 +28,24 @@ using transform::Status;
 // Data of a first passage above an energy level, in wall coordinates.
 struct EnergyPassageProblem {
   const problem::Problem& problem;
-  const Options& options;
-  ScalesAndBox scales_and_box;
+  const FiniteVolumeOptions& options;
+  MotionScalesAndBox scales_and_box;
   problem::EffectivePotential potential;  // of the spring
   double level;
   problem::HalfCycle interval;  // interval of y in which the potential is below the level
   BackwardExcitation excitation;
-  std::optional<transform::StartState> start;
+  std::optional<transform::PassageStartState> start;
   double waiting_rate;  // as PassageStarts::waiting_rate
 };
 
 // Point values of a density from its cell averages, as derivatives of the cumulative distribution.
 class DensityInterpolation {
  public:
-  DensityInterpolation(const Grid& grid, const Eigen::VectorXd& averages) : grid_(grid) {
-    const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.nv(), grid.nx());
-    cumulative_ = Eigen::MatrixXd::Zero(grid.nv() + 1, grid.nx() + 1);
+  DensityInterpolation(const PhasePlaneGrid& grid, const Eigen::VectorXd& averages) : grid_(grid) {
+    const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.v_cell_count(), grid.nx());
+    cumulative_ = Eigen::MatrixXd::Zero(grid.v_cell_count() + 1, grid.nx() + 1);
     for (int i = 0; i < grid.nx(); ++i) {
-      for (int j = 0; j < grid.nv(); ++j) {
+      for (int j = 0; j < grid.v_cell_count(); ++j) {
         const double mass = p(j, i) * grid.x1.cell_width(i) * grid.x2.cell_width(j);
         cumulative_(j + 1, i + 1) =
             cumulative_(j, i + 1) + cumulative_(j + 1, i) - cumulative_(j, i) + mass;
@@ -86,16 +86,17 @@ class DensityInterpolation {
     return {first, numerics::lagrange_derivative_weights(near, x, 1)};
   }
 
-  const Grid& grid_;
+  const PhasePlaneGrid& grid_;
   Eigen::MatrixXd cumulative_;  // at the faces, shape (nv + 1, nx + 1)
 };
 
 // Returns the excitation of the backward equation.
-BackwardExcitation backward_excitation(const problem::Problem& problem, const Options& options) {
+BackwardExcitation backward_excitation(const problem::Problem& problem,
+                                       const FiniteVolumeOptions& options) {
   BackwardExcitation excitation{.diffusion = problem.noise.diffusion()};
-  if (!problem.impulses.is_present()) return excitation;
+  if (!problem.impulses.is_acting()) return excitation;
   if (options.equation == DensityEquation::white) {
-    const Excitation white = white_noise_excitation(problem.impulses);
+    const DiscreteExcitation white = white_noise_excitation(problem.impulses);
     excitation.drift = white.drift;
     excitation.diffusion += white.diffusion;
   } else {
@@ -107,7 +108,7 @@ BackwardExcitation backward_excitation(const problem::Problem& problem, const Op
 
 // Returns why finite differences below an energy level do not treat a problem; empty if they do.
 std::string energy_passage_unsupported_reason(const problem::Problem& problem,
-                                              const Options& options) {
+                                              const FiniteVolumeOptions& options) {
   if (std::string reason = transient_unsupported_reason(problem, options); !reason.empty()) {
     return reason;
   }
@@ -133,7 +134,7 @@ EnergyLevelGrid make_energy_level_grid(const EnergyPassageProblem& passage, doub
   }
   double lowest =
       std::min(passage.potential(passage.interval.left), passage.potential(passage.interval.right));
-  for (const double y : passage.potential.extrema()) {
+  for (const double y : passage.potential.extremum_positions()) {
     if (y > passage.interval.left && y < passage.interval.right) {
       lowest = std::min(lowest, passage.potential(y));
     }
@@ -152,9 +153,9 @@ EnergyLevelGrid make_energy_level_grid(const EnergyPassageProblem& passage, doub
 
 // Returns the mean times from the starts in equal cells of a rectangle, 0 above the level. The map
 // is empty for a mirrored wall frame.
-std::optional<transform::MeanTimeMap> energy_mean_time_map(const EnergyPassageProblem& passage,
-                                                           const EnergyLevelGrid& grid,
-                                                           const Eigen::VectorXd& mean_times) {
+std::optional<transform::MeanPassageTimeMap> energy_mean_time_map(
+    const EnergyPassageProblem& passage, const EnergyLevelGrid& grid,
+    const Eigen::VectorXd& mean_passage_times_by_start) {
   const problem::WallFrame& frame = passage.problem.frame;
   if (frame.mirrored) return std::nullopt;
   constexpr int kColumns = 120, kRows = 80;
@@ -163,7 +164,7 @@ std::optional<transform::MeanTimeMap> energy_mean_time_map(const EnergyPassagePr
     fastest = std::max(fastest, grid.speed_on_level(grid.displacement(i)));
   }
   const auto& [left, right, left_is_wall, right_is_wall] = passage.interval;
-  transform::MeanTimeMap map;
+  transform::MeanPassageTimeMap map;
   for (int i = 0; i <= kColumns; ++i) {
     map.y_edges.push_back(frame.physical_y(std::lerp(left, right, 1.0 * i / kColumns)));
   }
@@ -173,7 +174,8 @@ std::optional<transform::MeanTimeMap> energy_mean_time_map(const EnergyPassagePr
     for (int j = 0; j < kRows; ++j) {
       const double v = (map.v_edges[j] + map.v_edges[j + 1]) / 2;
       const bool is_below = std::abs(v) < grid.speed_on_level(y);
-      map.averages.push_back(is_below ? grid.value_weights(y, v).dot(mean_times) : 0);
+      map.averages.push_back(is_below ? grid.value_weights(y, v).dot(mean_passage_times_by_start)
+                                      : 0);
     }
   }
   return map;
@@ -184,7 +186,7 @@ PassageResultOnGrid energy_passage_on_grid(const EnergyPassageProblem& passage, 
                                            const base::Deadline& deadline) {
   PassageResultOnGrid result;
   ValuesOnGrid& level = result.values_on_grid;
-  const DirectSolution stationary =
+  const DirectStationarySolution stationary =
       compute_direct_solution(passage.problem, passage.scales_and_box,
                               with_refined_cells(passage.options, refinement), deadline);
   if (!stationary.averages || !stationary.converged) {
@@ -220,18 +222,19 @@ PassageResultOnGrid energy_passage_on_grid(const EnergyPassageProblem& passage, 
   if (values.size() == 0) return result;
   values(kProbabilityBelow) = probability;
   level.values = values;
-  result.mean_times = energy_mean_time_map(passage, grid, model.shifted_solution(0));
+  result.mean_passage_times_by_start =
+      energy_mean_time_map(passage, grid, model.shifted_solution(0));
   return result;
 }
 
 }  // namespace
 
-transform::Passage solve_energy_passage(const problem::Problem& problem, const Options& options,
-                                        double energy, std::vector<double> times,
-                                        std::optional<transform::StartState> start) {
+transform::FirstPassageResult solve_energy_passage(
+    const problem::Problem& problem, const FiniteVolumeOptions& options, double energy,
+    std::vector<double> times, std::optional<transform::PassageStartState> start) {
   validate(options);
   const base::Stopwatch stopwatch;
-  transform::Passage passage{.id = solution_id(options), .status = Status::not_offered};
+  transform::FirstPassageResult passage{.id = solution_id(options), .status = Status::not_offered};
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
   passage.reason = energy_passage_unsupported_reason(transformed, options);
@@ -252,15 +255,16 @@ transform::Passage solve_energy_passage(const problem::Problem& problem, const O
     return passage;
   }
   const base::Deadline deadline(options.max_seconds);
-  Options with_order = options;
+  FiniteVolumeOptions with_order = options;
   with_order.order = options.order.value_or(automatic_scheme_order(transformed));
   if (!has_linearised_scales(transformed))
     with_order.wall_density *= box_edge_density_factor(transformed);
-  ScalesAndBox scales_and_box{.scales = problem::motion_scales(transformed)};
+  MotionScalesAndBox scales_and_box{.scales = problem::motion_scales(transformed)};
   scales_and_box.box = stationary_box(transformed, scales_and_box.scales, with_order, deadline);
   const auto rest =
       problem::rest_displacement(transformed, std::numeric_limits<double>::infinity());
-  start = transform::passage_start(transformed, std::numeric_limits<double>::infinity(), start);
+  start =
+      transform::passage_start_state(transformed, std::numeric_limits<double>::infinity(), start);
   const problem::EffectivePotential potential(transformed.system);
   if (start && start->ydot * start->ydot / 2 + potential(start->y) >= level) start.reset();
   const bool is_at_rest = start && rest && start->y == *rest && start->ydot == 0;

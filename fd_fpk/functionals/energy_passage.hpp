@@ -14,10 +14,11 @@ namespace fpkcheck::fd_fpk {
 /// on a grid of finite volumes gives the stationary initial density. The errors follow from three
 /// or more grids (ConvergedValues). The result has no rate of upcrossings.
 /// @param times times of the survival probabilities; automatic times if empty
-/// @param start initial state of Passage::mean_from_point; if empty, the initial state is at rest
+/// @param start initial state of FirstPassageResult::mean_from_point; if empty, the initial state
+/// is at rest
 /// @throws InputError for invalid options
-transform::Passage solve_energy_passage(const problem::Problem& problem, const Options& options,
-                                        double energy, std::vector<double> times,
-                                        std::optional<transform::StartState> start = {});
+transform::FirstPassageResult solve_energy_passage(
+    const problem::Problem& problem, const FiniteVolumeOptions& options, double energy,
+    std::vector<double> times, std::optional<transform::PassageStartState> start = {});
 
 }  // namespace fpkcheck::fd_fpk

@@ -96,8 +96,9 @@ ConvergedValues converge_on_grids(
   }
 }
 
-ConvergedValues converge_on_grids(const problem::Problem& problem, const Options& options,
-                                  double tolerance, const StationaryFunctionals& functionals,
+ConvergedValues converge_on_grids(const problem::Problem& problem,
+                                  const FiniteVolumeOptions& options, double tolerance,
+                                  const StationaryFunctionals& functionals,
                                   const MagnitudeFunction& magnitudes) {
   // All grids have the same box, so that the differences between grids do not contain the
   // truncation error of the box. The box of functionals is therefore wider than the box of a
@@ -106,25 +107,26 @@ ConvergedValues converge_on_grids(const problem::Problem& problem, const Options
   // changes are 2e-5 and 1e-4 (`fpkcheck sensitivity case1 --methods fd-kf`).
   constexpr double kEdgeDensityFactor = 1e-2;
   const base::Deadline deadline(options.max_seconds);
-  Options on_grid = options;
+  FiniteVolumeOptions on_grid = options;
   on_grid.wall_density *= kEdgeDensityFactor;
   on_grid.order = options.order.value_or(automatic_scheme_order(problem));
-  ScalesAndBox scales_and_box{.scales = problem::motion_scales(problem)};
+  MotionScalesAndBox scales_and_box{.scales = problem::motion_scales(problem)};
   if (!has_linearised_scales(problem)) on_grid.wall_density *= box_edge_density_factor(problem);
   scales_and_box.box = stationary_box(problem, scales_and_box.scales, on_grid, deadline);
   on_grid.x1_max = scales_and_box.box->x1_max;
   on_grid.x2_max = scales_and_box.box->x2_max;
 
-  const Discretisation first = discretise(problem, on_grid, *scales_and_box.box);
+  const PlaneDiscretisation first =
+      discretise_density_equation(problem, on_grid, *scales_and_box.box);
   std::string failure = first.failure;
   if (failure.empty()) failure = check_well_posedness(problem, on_grid, first).ill_posed_reason;
   if (!failure.empty()) return {.failure = failure};
 
   const auto evaluate_on_grid = [&](double refinement) -> ValuesOnGrid {
-    DirectSolution direct_solution = compute_direct_solution(
+    DirectStationarySolution direct_solution = compute_direct_solution(
         problem, scales_and_box, with_refined_cells(on_grid, refinement), deadline);
     ValuesOnGrid level{.nx = direct_solution.discretisation.grid.nx(),
-                       .nv = direct_solution.discretisation.grid.nv()};
+                       .nv = direct_solution.discretisation.grid.v_cell_count()};
     if (direct_solution.averages && !direct_solution.converged) {
       level.failure = "GMRES did not find the stationary density; use another grid";
     } else if (direct_solution.averages) {

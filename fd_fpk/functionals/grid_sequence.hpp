@@ -57,13 +57,15 @@ ConvergedValues converge_on_grids(
 
 /// Function that computes the values from the stationary solution on one grid. If the returned
 /// vector is empty, the function has stored a reason in `failure`.
-using StationaryFunctionals = std::function<Eigen::VectorXd(
-    DirectSolution& direct_solution, const base::Deadline& deadline, std::string& failure)>;
+using StationaryFunctionals =
+    std::function<Eigen::VectorXd(DirectStationarySolution& direct_solution,
+                                  const base::Deadline& deadline, std::string& failure)>;
 
 /// Computes functionals of the generator and of the stationary density by converge_on_grids().
 /// @pre unsupported_reason() and transient_unsupported_reason() are empty
-ConvergedValues converge_on_grids(const problem::Problem& problem, const Options& options,
-                                  double tolerance, const StationaryFunctionals& functionals,
+ConvergedValues converge_on_grids(const problem::Problem& problem,
+                                  const FiniteVolumeOptions& options, double tolerance,
+                                  const StationaryFunctionals& functionals,
                                   const MagnitudeFunction& magnitudes);
 
 }  // namespace fpkcheck::fd_fpk

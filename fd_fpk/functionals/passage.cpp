@@ -28,40 +28,42 @@ using transform::Status;
 // Data of a first-passage problem.
 struct PassageProblem {
   const problem::Problem& problem;
-  const Options& options;
+  const FiniteVolumeOptions& options;
   const problem::MotionScales& scales;
   double barrier;
-  std::optional<transform::StartState> start;  // initial state, in wall coordinates; may be empty
+  std::optional<transform::PassageStartState>
+      start;  // initial state, in wall coordinates; may be empty
   /// Rate of the impulses that end the rest of an initial state at rest; 0 if noise ends the rest,
   /// or if the initial state moves
   double waiting_rate;
-  Box box;  // box of the stationary density, whose right end is beyond the barrier
+  PhasePlaneBox box;  // box of the stationary density, whose right end is beyond the barrier
 };
 
 // Returns the cells below the barrier, and the cells of the stationary density: the same cells,
 // continued beyond the barrier.
 struct PassageGrids {
-  Grid below, whole;
+  PhasePlaneGrid below, whole;
 };
 std::optional<PassageGrids> make_passage_grids(const PassageProblem& passage,
-                                               const Options& options, std::string& failure) {
-  Box box = passage.box;
+                                               const FiniteVolumeOptions& options,
+                                               std::string& failure) {
+  PhasePlaneBox box = passage.box;
   box.x1_max = passage.barrier;
-  Options to_barrier = options;
+  FiniteVolumeOptions to_barrier = options;
   to_barrier.x1_max = std::nullopt;
-  Discretisation below = discretise(passage.problem, to_barrier, box);
+  PlaneDiscretisation below = discretise_density_equation(passage.problem, to_barrier, box);
   // The orbit that grazes the barrier needs narrower cells than the stationary density.
   constexpr double kFewestBelowBarrier = 40;
   const int fewest = static_cast<int>(std::ceil(kFewestBelowBarrier * options.refinement));
   if (below.failure.empty() && !options.nx && below.grid.nx() < fewest) {
     to_barrier.nx = fewest;
-    below = discretise(passage.problem, to_barrier, box);
+    below = discretise_density_equation(passage.problem, to_barrier, box);
   }
   if (!below.failure.empty()) {
     failure = below.failure;
     return std::nullopt;
   }
-  const Axis& x1 = below.grid.x1;
+  const GridAxis& x1 = below.grid.x1;
   std::vector<double> faces = x1.faces();
   // Beyond the barrier the cell widths increase by 15 % from cell to cell, up to the automatic cell
   // width of the stationary density.
@@ -78,11 +80,11 @@ std::optional<PassageGrids> make_passage_grids(const PassageProblem& passage,
   const auto right =
       passage.problem.system.right_wall() ? AxisEndCondition::boundary : AxisEndCondition::vacuum;
   return PassageGrids{{x1.with_right_end_condition(AxisEndCondition::barrier), below.grid.x2},
-                      {Axis(std::move(faces), x1.left_end_condition(), right), below.grid.x2}};
+                      {GridAxis(std::move(faces), x1.left_end_condition(), right), below.grid.x2}};
 }
 
 // Returns the row of weights that evaluates cell averages at a position of an axis.
-Eigen::RowVectorXd point_value_weights(const Axis& axis, int order, double x) {
+Eigen::RowVectorXd point_value_weights(const GridAxis& axis, int order, double x) {
   const std::vector<double>& faces = axis.faces();
   const auto cell = std::clamp<std::ptrdiff_t>(
       std::upper_bound(faces.begin(), faces.end(), x) - faces.begin() - 1, 0,
@@ -95,8 +97,8 @@ Eigen::RowVectorXd point_value_weights(const Axis& axis, int order, double x) {
 // Returns the weights of the velocity cells in the mean of a function of the velocity right after
 // the first impulse on a mass at rest. A wall at the position of the mass reflects the velocity of
 // impulses towards the wall.
-Eigen::RowVectorXd mean_after_first_impulse_weights(const PassageProblem& passage, const Axis& x2,
-                                                    int order) {
+Eigen::RowVectorXd mean_after_first_impulse_weights(const PassageProblem& passage,
+                                                    const GridAxis& x2, int order) {
   constexpr int kParts = 8;  // number of parts of a cell; the centre of each part has a value
   std::vector<double> centres;
   for (int k = 0; k < kParts; ++k) centres.push_back((k + 0.5) / kParts);
@@ -134,7 +136,8 @@ Eigen::RowVectorXd mean_after_first_impulse_weights(const PassageProblem& passag
 // Returns the functional of cell averages that evaluates the survival probability or the mean
 // passage time at the initial state. From rest under impulses, the functional evaluates the mean
 // over the states after the first impulse.
-Eigen::VectorXd start_value_functional(const PassageProblem& passage, const Grid& grid, int order) {
+Eigen::VectorXd start_value_functional(const PassageProblem& passage, const PhasePlaneGrid& grid,
+                                       int order) {
   const Eigen::RowVectorXd of_x1 = point_value_weights(grid.x1, order, passage.start->y);
   const Eigen::RowVectorXd of_x2 = passage.waiting_rate > 0
                                        ? mean_after_first_impulse_weights(passage, grid.x2, order)
@@ -145,11 +148,12 @@ Eigen::VectorXd start_value_functional(const PassageProblem& passage, const Grid
 
 // Returns the mean times from the starts in all cells below the barrier, in physical coordinates.
 // @pre the wall frame is not mirrored
-transform::MeanTimeMap mean_time_map(const PassageProblem& passage, const Grid& below,
-                                     const ReducedResolvent& model) {
+transform::MeanPassageTimeMap mean_time_map(const PassageProblem& passage,
+                                            const PhasePlaneGrid& below,
+                                            const ReducedResolvent& model) {
   const problem::WallFrame& frame = passage.problem.frame;
   assert(!frame.mirrored);
-  transform::MeanTimeMap map{.y_edges = {}, .v_edges = below.x2.faces(), .averages = {}};
+  transform::MeanPassageTimeMap map{.y_edges = {}, .v_edges = below.x2.faces(), .averages = {}};
   for (const double x : below.x1.faces()) map.y_edges.push_back(frame.physical_y(x));
   // The integral of the survival probability times the areas over all times is the vector
   // (0 - L^T)^-1 areas.
@@ -162,7 +166,7 @@ PassageResultOnGrid passage_on_grid(const PassageProblem& passage, double refine
                                     const std::vector<double>& times, double shift,
                                     const base::Deadline& deadline) {
   const problem::Problem& problem = passage.problem;
-  const Options options = with_refined_cells(passage.options, refinement);
+  const FiniteVolumeOptions options = with_refined_cells(passage.options, refinement);
   const int order = transport_order(options);
   PassageResultOnGrid result;
   ValuesOnGrid& level = result.values_on_grid;
@@ -170,16 +174,16 @@ PassageResultOnGrid passage_on_grid(const PassageProblem& passage, double refine
   if (!grids) return result;
   const auto& [below, whole] = *grids;
   level.nx = below.nx();
-  level.nv = below.nv();
+  level.nv = below.v_cell_count();
 
-  const Discretisation of_whole =
-      with_excitation_of(problem, options, {.grid = whole, .excitation = {}});
+  const PlaneDiscretisation of_whole =
+      discretise_excitation_on_same_grid(problem, options, {.grid = whole, .excitation = {}});
   level.failure = check_well_posedness(problem, options, of_whole).ill_posed_reason;
   if (!level.failure.empty()) return result;
   const FokkerPlanckOperator op_whole = fokker_planck_operator(problem, options, of_whole);
   Preconditioner for_whole(problem.system, passage.scales.slowest_decay_rate, of_whole.excitation,
                            options.impact, whole, order);
-  const NullVector stationary =
+  const NullVectorResult stationary =
       find_null_vector(op_whole, for_whole, initial_gaussian(whole, passage.scales), deadline);
   if (!stationary.averages) {
     level.failure = stationary.failure;
@@ -195,13 +199,14 @@ PassageResultOnGrid passage_on_grid(const PassageProblem& passage, double refine
   const Eigen::VectorXd areas = below.cell_areas();
   const double probability = areas.dot(p);
 
-  const Discretisation of_below =
-      with_excitation_of(problem, options, {.grid = below, .excitation = {}});
+  const PlaneDiscretisation of_below =
+      discretise_excitation_on_same_grid(problem, options, {.grid = below, .excitation = {}});
   const FokkerPlanckOperator op = fokker_planck_operator(problem, options, of_below);
   Preconditioner preconditioner(problem.system, passage.scales.slowest_decay_rate,
                                 of_below.excitation, options.impact, below, order);
   // The vector exp(L^T t) areas is the survival probability times the cell areas.
-  const ShiftedSystem system(op, &preconditioner, below.nv(), order, shift, Transposed::yes);
+  const ShiftedSystem system(op, &preconditioner, below.v_cell_count(), order, shift,
+                             Transposed::yes);
   ReducedResolvent model(system, areas);
   PassageStarts starts{
       .from_point = {}, .from_stationary = p / probability, .waiting_rate = passage.waiting_rate};
@@ -214,24 +219,25 @@ PassageResultOnGrid passage_on_grid(const PassageProblem& passage, double refine
   last(kRiceRate) = wall_speed_moment(below, p, order, 1, AxisEnd::right);
   last(kProbabilityBelow) = probability;
   level.values = last;
-  result.mean_times = mean_time_map(passage, below, model);
+  result.mean_passage_times_by_start = mean_time_map(passage, below, model);
   return result;
 }
 
 // Returns the box of the stationary density, enlarged for motion that reaches the barrier or that
 // starts at the initial state. Motion that leaves the wall at the speed w has hit the wall at the
 // speed w/r.
-Box passage_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                const Options& options, double barrier,
-                const std::optional<transform::StartState>& start, const base::Deadline& deadline) {
+PhasePlaneBox passage_box(const problem::Problem& problem, const problem::MotionScales& scales,
+                          const FiniteVolumeOptions& options, double barrier,
+                          const std::optional<transform::PassageStartState>& start,
+                          const base::Deadline& deadline) {
   constexpr double kImpulseDeviations = 5.5;
   constexpr double kBeyond =
       0.5;  // shortest part of the box beyond the barrier, in standard deviations of y
-  Box box = stationary_box(problem, scales, options, deadline);
+  PhasePlaneBox box = stationary_box(problem, scales, options, deadline);
   const problem::EffectivePotential potential(problem.system);
   const auto& wall = problem.system.left_wall();
   double lowest = wall ? wall->position : 0;
-  for (const double y : potential.extrema()) {
+  for (const double y : potential.extremum_positions()) {
     if (y < barrier && potential(y) < potential(lowest)) lowest = y;
   }
   double energy = std::max(0.0, potential(barrier) - potential(lowest));
@@ -246,7 +252,7 @@ Box passage_box(const problem::Problem& problem, const problem::MotionScales& sc
   const double speed = std::sqrt(2 * energy);
   const double restitution = wall ? std::max(0.1, wall->restitution_at_speed(speed)) : 1;
   const auto& law = problem.impulses.amplitude_law();
-  const double of_impulse = problem.impulses.is_present()
+  const double of_impulse = problem.impulses.is_acting()
                                 ? std::abs(law.mean()) + kImpulseDeviations * law.deviation()
                                 : 0;
   box.x2_max = std::max(box.x2_max, speed / restitution + of_impulse);
@@ -257,12 +263,13 @@ Box passage_box(const problem::Problem& problem, const problem::MotionScales& sc
 
 }  // namespace
 
-transform::Passage solve_passage(const problem::Problem& problem, const Options& options,
-                                 double barrier, std::vector<double> times,
-                                 std::optional<transform::StartState> start) {
+transform::FirstPassageResult solve_passage(const problem::Problem& problem,
+                                            const FiniteVolumeOptions& options, double barrier,
+                                            std::vector<double> times,
+                                            std::optional<transform::PassageStartState> start) {
   validate(options);
   const base::Stopwatch stopwatch;
-  transform::Passage passage{.id = solution_id(options)};
+  transform::FirstPassageResult passage{.id = solution_id(options)};
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
   const double level = transformed.frame.wall_x(barrier);
@@ -276,14 +283,14 @@ transform::Passage solve_passage(const problem::Problem& problem, const Options&
   }
   const base::Deadline deadline(options.max_seconds);
   const problem::MotionScales scales = problem::motion_scales(transformed);
-  Options with_order = options;
+  FiniteVolumeOptions with_order = options;
   with_order.order = options.order.value_or(automatic_scheme_order(transformed));
   if (!has_linearised_scales(transformed))
     with_order.wall_density *= box_edge_density_factor(transformed);
-  start = transform::passage_start(transformed, level, start);
+  start = transform::passage_start_state(transformed, level, start);
   const auto rest = problem::rest_displacement(transformed, level);
   const bool is_at_rest = start && rest && start->y == *rest && start->ydot == 0;
-  const bool waits = transformed.impulses.is_present() && !transformed.noise.is_present() &&
+  const bool waits = transformed.impulses.is_acting() && !transformed.noise.is_acting() &&
                      options.equation == DensityEquation::kf;
   const PassageProblem below{
       .problem = transformed,

@@ -18,10 +18,12 @@ namespace fpkcheck::fd_fpk {
 /// and on further cells beyond the barrier, gives the stationary initial density and Rice's rate.
 /// The errors follow from three or more grids (ConvergedValues).
 /// @param times times of the survival probabilities; automatic times if empty
-/// @param start initial state of Passage::mean_from_point; if empty, the initial state is at rest
+/// @param start initial state of FirstPassageResult::mean_from_point; if empty, the initial state
+/// is at rest
 /// @throws InputError for invalid options
-transform::Passage solve_passage(const problem::Problem& problem, const Options& options,
-                                 double barrier, std::vector<double> times,
-                                 std::optional<transform::StartState> start = {});
+transform::FirstPassageResult solve_passage(const problem::Problem& problem,
+                                            const FiniteVolumeOptions& options, double barrier,
+                                            std::vector<double> times,
+                                            std::optional<transform::PassageStartState> start = {});
 
 }  // namespace fpkcheck::fd_fpk

@@ -14,7 +14,7 @@ namespace {
 using transform::Status;
 using transform::ValueWithError;
 
-// Error, as a fraction of Options::accuracy, at which no finer grid is tried
+// Error, as a fraction of FiniteVolumeOptions::accuracy, at which no finer grid is tried
 constexpr double kPassageTargetFraction = 0.5;
 
 // The survival probability jumps across the orbit that grazes a displacement barrier, which limits
@@ -123,9 +123,11 @@ Eigen::VectorXd compute_passage_values(ReducedResolvent& model, const PassageSta
   return last;
 }
 
-void solve_passage_on_grids(const SolvePassageOnGrid& solve_on_grid, const Options& options,
-                            std::vector<double> times, bool has_start, const char* element_name,
-                            const base::Deadline& deadline, transform::Passage& passage) {
+void solve_passage_on_grids(const SolvePassageOnGrid& solve_on_grid,
+                            const FiniteVolumeOptions& options, std::vector<double> times,
+                            bool has_start, const char* element_name,
+                            const base::Deadline& deadline,
+                            transform::FirstPassageResult& passage) {
   if (times.empty()) {
     constexpr double kCoarse = 0.5;
     const ValuesOnGrid coarse = solve_on_grid(kCoarse, {}).values_on_grid;
@@ -143,7 +145,7 @@ void solve_passage_on_grids(const SolvePassageOnGrid& solve_on_grid, const Optio
     const std::lock_guard lock(map_mutex);
     if (result.values_on_grid.values.size() > 0 && refinement > finest) {
       finest = refinement;
-      passage.mean_times = std::move(result.mean_times);
+      passage.mean_passage_times_by_start = std::move(result.mean_passage_times_by_start);
     }
     return std::move(result.values_on_grid);
   };
@@ -151,7 +153,7 @@ void solve_passage_on_grids(const SolvePassageOnGrid& solve_on_grid, const Optio
       converge_on_grids(evaluate, kObservedOrder, kPassageTargetFraction * options.accuracy,
                         passage_magnitudes, deadline);
   if (converged.values.size() == 0) {
-    passage.mean_times.reset();
+    passage.mean_passage_times_by_start.reset();
     passage.reason = converged.failure;
     return;
   }

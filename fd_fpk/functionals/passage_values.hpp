@@ -58,7 +58,7 @@ inline double passage_shift(const problem::MotionScales& scales) {
 /// Values on one grid, and the mean times in its cells.
 struct PassageResultOnGrid {
   ValuesOnGrid values_on_grid = {};
-  std::optional<transform::MeanTimeMap> mean_times = {};
+  std::optional<transform::MeanPassageTimeMap> mean_passage_times_by_start = {};
 };
 
 /// Function that computes the values on the grid with automatic cells divided by `refinement`, with
@@ -70,9 +70,11 @@ using SolvePassageOnGrid =
 /// and the status in `passage`.
 /// @param times times of the survival probabilities; automatic times if empty
 /// @param has_start whether the passage has an initial state
-/// @param element_name name of the elements of a grid in Passage::details: cells or nodes
-void solve_passage_on_grids(const SolvePassageOnGrid& solve_on_grid, const Options& options,
-                            std::vector<double> times, bool has_start, const char* element_name,
-                            const base::Deadline& deadline, transform::Passage& passage);
+/// @param element_name name of the elements of a grid in FirstPassageResult::details: cells or
+/// nodes
+void solve_passage_on_grids(const SolvePassageOnGrid& solve_on_grid,
+                            const FiniteVolumeOptions& options, std::vector<double> times,
+                            bool has_start, const char* element_name,
+                            const base::Deadline& deadline, transform::FirstPassageResult& passage);
 
 }  // namespace fpkcheck::fd_fpk

@@ -19,11 +19,13 @@ namespace {
 
 using transform::Status;
 
-// Error of an elasticity at which no finer grid is tried, as a fraction of Options::accuracy
+// Error of an elasticity at which no finer grid is tried, as a fraction of
+// FiniteVolumeOptions::accuracy
 constexpr double kElasticityFraction = 0.01;
 constexpr Eigen::Index kMomentCount = std::size(transform::kDifferentiatedMoments);
 
-Eigen::VectorXd differentiated_moment_values(const problem::Problem& problem, const Grid& grid,
+Eigen::VectorXd differentiated_moment_values(const problem::Problem& problem,
+                                             const PhasePlaneGrid& grid,
                                              const Eigen::VectorXd& averages, int order) {
   const transform::Moments moments = physical_moments(problem.frame, grid, averages, order);
   Eigen::VectorXd values(kMomentCount);
@@ -39,17 +41,18 @@ Eigen::VectorXd bin_widths(const std::vector<double>& edges) {
 }
 
 // Returns the moments, then for each parameter the derivatives of all moments, p(y) and p(y').
-Eigen::VectorXd sensitivities_on_grid(const problem::Problem& problem, const Options& options,
-                                      const std::vector<problem::ParameterDerivative>& parameters,
-                                      const std::vector<double>& y_edges,
-                                      const std::vector<double>& ydot_edges,
-                                      DirectSolution& direct_solution,
-                                      const base::Deadline& deadline, std::string& failure) {
-  const Grid& grid = direct_solution.discretisation.grid;
+Eigen::VectorXd sensitivities_on_grid(
+    const problem::Problem& problem, const FiniteVolumeOptions& options,
+    const std::vector<problem::ParameterDifferenceQuotient>& parameters,
+    const std::vector<double>& y_edges, const std::vector<double>& ydot_edges,
+    DirectStationarySolution& direct_solution, const base::Deadline& deadline,
+    std::string& failure) {
+  const PhasePlaneGrid& grid = direct_solution.discretisation.grid;
   const int order = transport_order(options);
   // The factors of s - L with a small shift s solve the singular systems of L in a few iterations.
   constexpr double kSmallShift = 1e-3;  // in decay rates of the slowest mode
-  const ShiftedSystem system(direct_solution.op, &*direct_solution.preconditioner, grid.nv(), order,
+  const ShiftedSystem system(direct_solution.op, &*direct_solution.preconditioner,
+                             grid.v_cell_count(), order,
                              kSmallShift * direct_solution.scales.slowest_decay_rate);
   const numerics::BlockBandedLu* factors = system.direct_factors();
   if (factors == nullptr && !direct_solution.preconditioner->factorise_stationary()) {
@@ -66,7 +69,7 @@ Eigen::VectorXd sensitivities_on_grid(const problem::Problem& problem, const Opt
     values.insert(values.end(), more.begin(), more.end());
   };
   append(differentiated_moment_values(problem, grid, *direct_solution.averages, order));
-  for (const problem::ParameterDerivative& parameter : parameters) {
+  for (const problem::ParameterDifferenceQuotient& parameter : parameters) {
     const auto [derivative, iterations, reason] = solve_density_derivative(
         direct_solution, generator_derivative_product(problem, options, parameter, direct_solution),
         approximate_solve, deadline);
@@ -85,13 +88,13 @@ Eigen::VectorXd sensitivities_on_grid(const problem::Problem& problem, const Opt
 
 }  // namespace
 
-transform::Sensitivities solve_sensitivities(
-    const problem::Problem& problem, const Options& options,
-    const std::vector<problem::ParameterDerivative>& parameters, const std::vector<double>& y_edges,
-    const std::vector<double>& ydot_edges) {
+transform::MomentSensitivities solve_sensitivities(
+    const problem::Problem& problem, const FiniteVolumeOptions& options,
+    const std::vector<problem::ParameterDifferenceQuotient>& parameters,
+    const std::vector<double>& y_edges, const std::vector<double>& ydot_edges) {
   validate(options);
   const base::Stopwatch stopwatch;
-  transform::Sensitivities result{.id = solution_id(options)};
+  transform::MomentSensitivities result{.id = solution_id(options)};
   for (const auto& parameter : parameters) {
     result.parameters.push_back(parameter.parameter);
     result.parameter_values.push_back(parameter.value);
@@ -103,10 +106,10 @@ transform::Sensitivities solve_sensitivities(
     result.status = Status::not_offered;
     return result;
   }
-  Options with_order = options;
+  FiniteVolumeOptions with_order = options;
   with_order.order = options.order.value_or(automatic_scheme_order(transformed));
-  const auto on_grid = [&](DirectSolution& direct_solution, const base::Deadline& deadline,
-                           std::string& failure) {
+  const auto on_grid = [&](DirectStationarySolution& direct_solution,
+                           const base::Deadline& deadline, std::string& failure) {
     return sensitivities_on_grid(transformed, with_order, parameters, y_edges, ydot_edges,
                                  direct_solution, deadline, failure);
   };

@@ -19,14 +19,14 @@ namespace fpkcheck::fd_fpk {
 /// of the generator matrix. The errors follow from three or more grids (ConvergedValues). Only the
 /// derivatives of moments determine the finest grid. The status is `ok` if the errors of the
 /// elasticities of moments, and the L1 errors of theta dp/dtheta for each parameter theta, are at
-/// most Options::accuracy.
+/// most FiniteVolumeOptions::accuracy.
 /// @param parameters derivatives with steps of about 1e-4
 /// @param y_edges,ydot_edges increasing edges of the bins of the marginal densities, in physical
 ///   coordinates
 /// @throws InputError for invalid options
-transform::Sensitivities solve_sensitivities(
-    const problem::Problem& problem, const Options& options,
-    const std::vector<problem::ParameterDerivative>& parameters, const std::vector<double>& y_edges,
-    const std::vector<double>& ydot_edges);
+transform::MomentSensitivities solve_sensitivities(
+    const problem::Problem& problem, const FiniteVolumeOptions& options,
+    const std::vector<problem::ParameterDifferenceQuotient>& parameters,
+    const std::vector<double>& y_edges, const std::vector<double>& ydot_edges);
 
 }  // namespace fpkcheck::fd_fpk

@@ -21,7 +21,7 @@ namespace {
 using transform::Status;
 
 // Relative error of each spectral density at which no finer grid is tried, as a fraction of
-// Options::accuracy
+// FiniteVolumeOptions::accuracy
 constexpr double kTargetFraction = 0.2;
 // Smallest spectral density to which relative errors refer, relative to the largest spectral
 // density
@@ -74,16 +74,16 @@ Eigen::VectorXd autocovariance_from_modes(const ReducedResolvent::Modes& modes,
 // space grows until the densities of two successive spaces agree.
 Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
                                  const std::vector<double>& lags, transform::StateVariable variable,
-                                 double shift, int order, DirectSolution& direct_solution,
+                                 double shift, int order, DirectStationarySolution& direct_solution,
                                  const base::Deadline& deadline, std::string& failure) {
   constexpr int kStep = 10, kMost = 200;
-  const Grid& grid = direct_solution.discretisation.grid;
+  const PhasePlaneGrid& grid = direct_solution.discretisation.grid;
   const Eigen::VectorXd& p = *direct_solution.averages;
   const Eigen::VectorXd functional = coordinate_functional(grid, variable, order);
   const double mean = functional.dot(p) / direct_solution.op.total_mass(p);
   const Eigen::VectorXd b = multiply_by_coordinate(grid, p, variable, order) - mean * p;
-  const ShiftedSystem system(direct_solution.op, &*direct_solution.preconditioner, grid.nv(), order,
-                             shift);
+  const ShiftedSystem system(direct_solution.op, &*direct_solution.preconditioner,
+                             grid.v_cell_count(), order, shift);
   ReducedResolvent model(system, b, p);
   Eigen::VectorXcd points(frequencies.size());
   for (std::size_t k = 0; k < frequencies.size(); ++k) points(k) = {0, frequencies[k]};
@@ -123,13 +123,14 @@ Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
 
 }  // namespace
 
-transform::Spectrum solve_spectrum(const problem::Problem& problem, const Options& options,
-                                   transform::StateVariable variable,
-                                   const std::vector<double>& frequencies,
-                                   const std::vector<double>& lags) {
+transform::SpectralDensity solve_spectrum(const problem::Problem& problem,
+                                          const FiniteVolumeOptions& options,
+                                          transform::StateVariable variable,
+                                          const std::vector<double>& frequencies,
+                                          const std::vector<double>& lags) {
   validate(options);
   const base::Stopwatch stopwatch;
-  transform::Spectrum spectrum{.id = solution_id(options), .variable = variable};
+  transform::SpectralDensity spectrum{.id = solution_id(options), .variable = variable};
   spectrum.frequencies = frequencies;
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
@@ -142,8 +143,8 @@ transform::Spectrum solve_spectrum(const problem::Problem& problem, const Option
   const double shift = 2 * scales.velocity_deviation / scales.displacement_deviation;
   const int order = options.order.value_or(automatic_scheme_order(transformed));
   const double target = kTargetFraction * options.accuracy;
-  const auto on_grid = [&](DirectSolution& direct_solution, const base::Deadline& deadline,
-                           std::string& failure) {
+  const auto on_grid = [&](DirectStationarySolution& direct_solution,
+                           const base::Deadline& deadline, std::string& failure) {
     return spectrum_on_grid(frequencies, lags, variable, shift, order, direct_solution, deadline,
                             failure);
   };

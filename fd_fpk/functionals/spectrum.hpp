@@ -16,13 +16,14 @@ namespace fpkcheck::fd_fpk {
 /// with the autocovariance R and f = y or y'.
 ///
 /// The errors follow from three or more grids (ConvergedValues); the status is `inaccurate` if an
-/// error exceeds Options::accuracy times the largest density.
+/// error exceeds FiniteVolumeOptions::accuracy times the largest density.
 /// @param frequencies angular frequencies w >= 0
 /// @param lags increasing times t >= 0 of the autocovariance R(t)
 /// @throws InputError for invalid options
-transform::Spectrum solve_spectrum(const problem::Problem& problem, const Options& options,
-                                   transform::StateVariable variable,
-                                   const std::vector<double>& frequencies,
-                                   const std::vector<double>& lags = {});
+transform::SpectralDensity solve_spectrum(const problem::Problem& problem,
+                                          const FiniteVolumeOptions& options,
+                                          transform::StateVariable variable,
+                                          const std::vector<double>& frequencies,
+                                          const std::vector<double>& lags = {});
 
 }  // namespace fpkcheck::fd_fpk

@@ -11,7 +11,7 @@ using namespace numerics::sundials_owned;
 
 struct GmresCallbackData {
   const LinearMap& linear_map;
-  const ApproximateSolve& approximate_solve;
+  const ApproximateLinearSolver& approximate_solve;
   const base::Deadline& deadline;
   bool deadline_exceeded = false;
   CallbackExceptionStore thrown = {};
@@ -38,12 +38,13 @@ int gmres_precondition_callback(void* data, N_Vector r, N_Vector z, sunrealtype,
 
 }  // namespace
 
-GmresResult solve_by_gmres(const LinearMap& linear_map, const ApproximateSolve& approximate_solve,
+GmresResult solve_by_gmres(const LinearMap& linear_map,
+                           const ApproximateLinearSolver& approximate_solve,
                            const Eigen::VectorXd& right_hand_side, const Eigen::VectorXd& weights,
                            double tolerance, const base::Deadline& deadline) {
   constexpr int kBasis = 100;
   constexpr int kRestarts = 4;
-  QuietContext context;
+  SilentSundialsContext context;
   GmresCallbackData callbacks{linear_map, approximate_solve, deadline};
   const auto x = make_sundials_vector(Eigen::VectorXd::Zero(right_hand_side.size()), context);
   const auto right = make_sundials_vector(right_hand_side, context);
@@ -61,8 +62,8 @@ GmresResult solve_by_gmres(const LinearMap& linear_map, const ApproximateSolve& 
                   "SUNLinSolSetScalingVectors");
   require_success(SUNLinSolInitialize(solver.get()), "SUNLinSolInitialize");
   require_success(SUNLinSolSetup(solver.get(), nullptr), "SUNLinSolSetup");
-  // A Krylov basis loses orthogonality before the residual has fallen by much more than the factor
-  // kReduction. On fine grids only a restart of GMRES reduces the residual further.
+  // The Krylov basis of GMRES loses orthogonality before the residual has fallen by much more than
+  // the factor kReduction. On fine grids only a restart of GMRES reduces the residual further.
   constexpr double kReduction = 1e-7;
   const double norm = weights.cwiseProduct(right_hand_side).norm();
   GmresResult result{std::nullopt};

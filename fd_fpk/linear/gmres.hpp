@@ -12,7 +12,7 @@ namespace fpkcheck::fd_fpk {
 /// A linear map A on vectors: the function returns A x.
 using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 /// Function that replaces a right-hand side by the approximate solution of a linear system.
-using ApproximateSolve = std::function<void(Eigen::Ref<Eigen::VectorXd>)>;
+using ApproximateLinearSolver = std::function<void(Eigen::Ref<Eigen::VectorXd>)>;
 
 struct GmresResult {
   std::optional<Eigen::VectorXd> solution;
@@ -28,7 +28,8 @@ struct GmresResult {
 /// @param tolerance largest accepted ||A x - b|| / ||b||
 /// @throws std::runtime_error if SUNDIALS cannot allocate its memory; also rethrows every exception
 /// of `linear_map` and `approximate_solve`
-GmresResult solve_by_gmres(const LinearMap& linear_map, const ApproximateSolve& approximate_solve,
+GmresResult solve_by_gmres(const LinearMap& linear_map,
+                           const ApproximateLinearSolver& approximate_solve,
                            const Eigen::VectorXd& right_hand_side, const Eigen::VectorXd& weights,
                            double tolerance,
                            const base::Deadline& deadline = base::Deadline::unlimited());

@@ -16,7 +16,7 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // METIS uses one sequence of random numbers of the C library for the whole process. If two threads
-// dissected graphs at the same time, the orderings and the last digits of all solutions would
+// called METIS at the same time, the matrix orderings and the last digits of all solutions would
 // depend on the timing of the threads.
 std::mutex dissection_mutex;
 
@@ -48,31 +48,31 @@ std::vector<int> nested_dissection(const SparseColumnMatrix& matrix) {
   return order;
 }
 
-/// Key of a sparsity pattern. If two patterns of equal size had the same hash, one pattern would
-/// get an ordering that is valid but causes more fill-in.
-struct SparsityPattern {
+/// Key of the sparsity pattern of a matrix. If two patterns of equal size had equal hashes, one
+/// matrix would get an ordering that is valid but causes more fill-in.
+struct MatrixSparsityPattern {
   std::int64_t unknowns, entries;
   std::size_t hash;
 
-  explicit SparsityPattern(const SparseColumnMatrix& matrix)
+  explicit MatrixSparsityPattern(const SparseColumnMatrix& matrix)
       : unknowns(matrix.cols()), entries(matrix.nonZeros()), hash(0) {
     boost::hash_range(hash, matrix.outerIndexPtr(), matrix.outerIndexPtr() + unknowns + 1);
     boost::hash_range(hash, matrix.innerIndexPtr(), matrix.innerIndexPtr() + entries);
   }
-  bool operator==(const SparsityPattern&) const = default;
+  bool operator==(const MatrixSparsityPattern&) const = default;
 };
 
-/// Thread-safe cache of the most recently used orderings.
+/// Thread-safe cache of the most recently used fill-reducing orderings of matrices.
 class OrderingCache {
  public:
-  std::vector<int> find(const SparsityPattern& pattern) {
+  std::vector<int> find(const MatrixSparsityPattern& pattern) {
     const std::lock_guard lock(mutex_);
     const auto found = std::ranges::find(orders_, pattern, &Entry::first);
     if (found == orders_.end()) return {};
     orders_.splice(orders_.begin(), orders_, found);
     return found->second;
   }
-  void put(const SparsityPattern& pattern, const std::vector<int>& order) {
+  void put(const MatrixSparsityPattern& pattern, const std::vector<int>& order) {
     const std::lock_guard lock(mutex_);
     orders_.emplace_front(pattern, order);
     unknowns_ += order.size();
@@ -83,10 +83,10 @@ class OrderingCache {
   }
 
  private:
-  // limit of the cached orderings, 32 MB of memory
+  // memory limit of the cached orderings, 32 MB
   static constexpr std::size_t kMostUnknowns = 4'000'000;
 
-  using Entry = std::pair<SparsityPattern, std::vector<int>>;
+  using Entry = std::pair<MatrixSparsityPattern, std::vector<int>>;
   std::mutex mutex_;
   std::list<Entry> orders_;  // most recently used ordering first
   std::size_t unknowns_ = 0;
@@ -97,7 +97,7 @@ class OrderingCache {
 std::vector<int> fill_reducing_ordering(const SparseColumnMatrix& matrix) {
   static OrderingCache& cache =
       *new OrderingCache;  // the cache is never destroyed, since threads may use the cache at exit
-  const SparsityPattern pattern(matrix);
+  const MatrixSparsityPattern pattern(matrix);
   auto order = cache.find(pattern);
   if (!order.empty()) return order;
   order = nested_dissection(matrix);
@@ -109,12 +109,12 @@ namespace {
 
 // The arrays of a sparse matrix as arguments for KLU. The interface of KLU is not const-correct,
 // but KLU does not modify the arrays.
-struct MatrixArrays {
+struct CompressedColumnArrays {
   SparseColumnMatrix::StorageIndex* columns;
   SparseColumnMatrix::StorageIndex* rows;
   double* values;
 
-  explicit MatrixArrays(const SparseColumnMatrix& matrix)
+  explicit CompressedColumnArrays(const SparseColumnMatrix& matrix)
       : columns(const_cast<SparseColumnMatrix::StorageIndex*>(matrix.outerIndexPtr())),
         rows(const_cast<SparseColumnMatrix::StorageIndex*>(matrix.innerIndexPtr())),
         values(const_cast<double*>(matrix.valuePtr())) {}
@@ -146,7 +146,7 @@ KluFactorisation& KluFactorisation::operator=(KluFactorisation&&) noexcept = def
 
 bool KluFactorisation::factorise(const SparseColumnMatrix& matrix) {
   if (factorise_with_old_pivots(matrix)) return true;
-  const MatrixArrays arrays(matrix);
+  const CompressedColumnArrays arrays(matrix);
   auto& [common, symbolic, numeric] = *handles_;
   klu_free_numeric(&numeric, &common);
   if (symbolic == nullptr) {
@@ -168,7 +168,7 @@ bool KluFactorisation::factorise_with_old_pivots(const SparseColumnMatrix& matri
   constexpr double kLeastReciprocalGrowth = 1e-8;
   auto& [common, symbolic, numeric] = *handles_;
   if (numeric == nullptr) return false;
-  const MatrixArrays arrays(matrix);
+  const CompressedColumnArrays arrays(matrix);
   return klu_refactor(arrays.columns, arrays.rows, arrays.values, symbolic, numeric, &common) &&
          common.status == KLU_OK &&
          klu_rgrowth(arrays.columns, arrays.rows, arrays.values, symbolic, numeric, &common) &&

@@ -17,8 +17,9 @@ namespace fpkcheck::fd_fpk {
 std::vector<int> fill_reducing_ordering(const SparseColumnMatrix& matrix);
 
 /// Sparse LU factorisation by KLU with a nested-dissection ordering (CHOLMOD with METIS). All
-/// matrices that an object factors must have nonzero entries at the same positions, since the
-/// ordering is computed once. The pivots of the previous matrix are reused if numerically suitable.
+/// matrices that one KluFactorisation factors must have nonzero entries at the same positions,
+/// since the ordering is computed once. The pivots of the previous matrix are reused if numerically
+/// suitable.
 class KluFactorisation {
  public:
   KluFactorisation();

@@ -87,7 +87,7 @@ LinearOdeSystem with_deadline_check(const base::Deadline& deadline, LinearOdeSys
 }
 
 struct LinearCvodeIntegrator::Handles {
-  QuietContext context;
+  SilentSundialsContext context;
   CvodeCallbackData callbacks;
   OwnedHandle<N_Vector> averages;
   OwnedHandle<SUNLinearSolver> gmres;

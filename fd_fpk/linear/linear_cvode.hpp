@@ -19,18 +19,19 @@ struct LinearOdeSystem {
   Product apply_operator;
   /// Factors I - gamma L for `solve`; returns false on failure
   std::function<bool(double gamma)> factor_shifted_matrix;
-  ApproximateSolve
+  ApproximateLinearSolver
       approximate_solve;  ///< function that solves the system with the matrix factored last
 };
 /// @param preconditioner must outlive the returned system
 LinearOdeSystem make_linear_ode_system(LinearOdeSystem::Product apply_operator,
                                        Preconditioner& preconditioner);
 
-/// Exception that a matrix-vector product throws after the deadline. Products must check the
-/// deadline, because one time step of CVODE may contain many products.
+/// Exception that a matrix-vector product throws after the deadline. The products check the
+/// deadline themselves, because one time step of CVODE may contain many matrix-vector products.
 struct DeadlineExceeded {};
 
-/// Returns the given system with products L P that throw DeadlineExceeded after the deadline.
+/// Returns the given linear system of equations with matrix-vector products that throw
+/// DeadlineExceeded after the deadline.
 /// @param deadline must outlive the returned system
 LinearOdeSystem with_deadline_check(const base::Deadline& deadline, LinearOdeSystem system);
 
@@ -42,13 +43,14 @@ struct BdfSettings {
   double relative_tolerance;
   double absolute_tolerance;  ///< absolute tolerance of the local error, in units of the density
   double linear_tolerance;    ///< tolerance of GMRES as a fraction of the local error
-  /// Absolute tolerance of each cell average, in place of absolute_tolerance
+  /// Absolute tolerance of the local error of each cell average, in place of absolute_tolerance
   std::optional<Eigen::VectorXd> absolute_tolerances = {};
   std::optional<double> first_step = {};
   std::optional<double> max_step = {};
   std::optional<double> stop_time = {};  ///< time that no step exceeds
   std::optional<long> max_steps = {};    ///< maximum number of steps up to a requested time
-  /// Maximum number of time steps with one factorisation of I - gamma L while gamma is constant
+  /// Maximum number of BDF time steps with one factorisation of the matrix I - gamma L while the
+  /// step coefficient gamma is constant
   std::optional<long> steps_per_factorisation = {};
 };
 

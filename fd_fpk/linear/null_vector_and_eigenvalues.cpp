@@ -13,9 +13,9 @@
 
 namespace fpkcheck::fd_fpk {
 
-NullVector find_null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
-                            const Eigen::VectorXd& initial_averages,
-                            const base::Deadline& deadline) {
+NullVectorResult find_null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
+                                  const Eigen::VectorXd& initial_averages,
+                                  const base::Deadline& deadline) {
   constexpr double kTolerance = 1e-13;
   if (!preconditioner.factorise_stationary())
     return {std::nullopt, 0, preconditioner.failure_reason()};
@@ -33,10 +33,11 @@ NullVector find_null_vector(const FokkerPlanckOperator& op, Preconditioner& prec
   return {std::move(averages), iterations, "", seconds};
 }
 
-NullVector find_null_vector_by_inverse_iteration(const FokkerPlanckOperator& op,
-                                                 const Eigen::VectorXd& initial_averages,
-                                                 double frequency) {
-  // shift that makes the matrix nonsingular, in frequencies of the oscillator
+NullVectorResult find_null_vector_by_inverse_iteration(const FokkerPlanckOperator& op,
+                                                       const Eigen::VectorXd& initial_averages,
+                                                       double frequency) {
+  // shift that makes the singular Fokker-Planck matrix nonsingular, in units of the oscillator's
+  // frequency
   constexpr double kShift = 1e-7;
   constexpr int kIterations = 4;
   constexpr double kResidual = 1e-8;
@@ -64,19 +65,21 @@ constexpr double kTolerance = 1e-9;  // tolerance of the relative residual of a 
 constexpr long kRestarts = 20;
 constexpr long kTestRestarts = 6;
 constexpr int kNearest = 20;
-// Number of eigenvalues that a check requests in addition to the known eigenvalues
+// Number of eigenvalues that each check for missed eigenvalues requests in addition to the known
+// eigenvalues
 constexpr int kSpare = 3;
 constexpr int kBasis = 60;
-// Distance, in units of the growth rate or of the frequency, below which two Ritz values count as
-// the same eigenvalue. A residual of kTolerance determines an eigenvalue of a non-normal matrix
-// only to kTolerance times the condition number of the eigenvalue. The Pade scheme of case 1 gave
-// the eigenvalue 0 twice, 2e-7 apart.
+// Distance below which two Ritz values count as one eigenvalue, in units of the growth rate of the
+// excitation or of the oscillator's frequency. A residual of kTolerance determines an eigenvalue of
+// a non-normal matrix only to kTolerance times the condition number of the eigenvalue. The Pade
+// scheme of case 1 gave the eigenvalue 0 twice, 2e-7 apart.
 constexpr double kSame = 1e-6;
 
-// The linear operator (L - sigma)^-1, by KLU factors of L - sigma.
-class ShiftedInverse {
+// The linear operator (L - sigma)^-1 with a real shift sigma, computed by KLU factors of the matrix
+// L - sigma.
+class ShiftedOperatorInverse {
  public:
-  explicit ShiftedInverse(SparseColumnMatrix matrix) : matrix_(std::move(matrix)) {}
+  explicit ShiftedOperatorInverse(SparseColumnMatrix matrix) : matrix_(std::move(matrix)) {}
 
   Eigen::Index size() const { return matrix_.rows(); }
 
@@ -111,9 +114,10 @@ class SpectralTransform {
   using Scalar = double;
 
   /// Constructs the transform T = (L - sigma)^-1.
-  explicit SpectralTransform(const ShiftedInverse& inverse) : SpectralTransform(inverse, 0, 1) {}
+  explicit SpectralTransform(const ShiftedOperatorInverse& inverse)
+      : SpectralTransform(inverse, 0, 1) {}
   /// Returns the Cayley transform T = C = 1 + 2 (sigma - m) (L - sigma)^-1.
-  static SpectralTransform cayley_transform(const ShiftedInverse& inverse, double m) {
+  static SpectralTransform cayley_transform(const ShiftedOperatorInverse& inverse, double m) {
     return {inverse, 1, 2 * (inverse.shift() - m)};
   }
 
@@ -133,25 +137,25 @@ class SpectralTransform {
   }
 
  private:
-  SpectralTransform(const ShiftedInverse& inverse, double constant, double factor)
+  SpectralTransform(const ShiftedOperatorInverse& inverse, double constant, double factor)
       : inverse_(inverse), constant_(constant), factor_(factor) {}
 
-  const ShiftedInverse& inverse_;
+  const ShiftedOperatorInverse& inverse_;
   double constant_;
   double factor_;
 };
 
-struct EigenPairs {
+struct EigenvaluesAndVectors {
   std::vector<Complex> values;
   Eigen::MatrixXcd vectors;  // one eigenvector per column, shape (size, number of values)
 };
 
 // Returns the converged eigenpairs of L among the `count` largest eigenvalues of the transform.
-EigenPairs largest_eigenpairs(SpectralTransform& transform, int count, long restarts) {
+EigenvaluesAndVectors largest_eigenpairs(SpectralTransform& transform, int count, long restarts) {
   Spectra::GenEigsSolver<SpectralTransform> solver(transform, count, kBasis);
   solver.init();
   solver.compute(Spectra::SortRule::LargestMagn, restarts, kTolerance);
-  EigenPairs pairs{{}, solver.eigenvectors()};
+  EigenvaluesAndVectors pairs{{}, solver.eigenvectors()};
   for (const Complex value : solver.eigenvalues()) {
     pairs.values.push_back(transform.untransform_eigenvalue(value));
   }
@@ -159,14 +163,15 @@ EigenPairs largest_eigenpairs(SpectralTransform& transform, int count, long rest
 }
 
 // Returns the union of two lists of eigenpairs without duplicates, by decreasing real part. A
-// conjugate pair has one entry, the eigenvalue in the upper half-plane.
-EigenPairs merge_by_real_part(const EigenPairs& a, const EigenPairs& b, double unit) {
+// complex conjugate pair of eigenvalues has one entry, the eigenvalue in the upper half-plane.
+EigenvaluesAndVectors merge_by_real_part(const EigenvaluesAndVectors& a,
+                                         const EigenvaluesAndVectors& b, double unit) {
   struct Pair {
     Complex value;
     Eigen::VectorXcd vector;
   };
   std::vector<Pair> all;
-  for (const EigenPairs* pairs : {&a, &b}) {
+  for (const EigenvaluesAndVectors* pairs : {&a, &b}) {
     for (std::size_t k = 0; k < pairs->values.size(); ++k) {
       const Complex value = pairs->values[k];
       const Eigen::VectorXcd vector = pairs->vectors.col(static_cast<Eigen::Index>(k));
@@ -181,7 +186,7 @@ EigenPairs merge_by_real_part(const EigenPairs& a, const EigenPairs& b, double u
   }
   std::ranges::sort(all, std::ranges::greater{},
                     [](const Pair& pair) { return pair.value.real(); });
-  EigenPairs sorted{{}, Eigen::MatrixXcd(a.vectors.rows(), all.size())};
+  EigenvaluesAndVectors sorted{{}, Eigen::MatrixXcd(a.vectors.rows(), all.size())};
   for (const Pair& pair : all) {
     sorted.vectors.col(static_cast<Eigen::Index>(sorted.values.size())) = pair.vector;
     sorted.values.push_back(pair.value);
@@ -191,7 +196,7 @@ EigenPairs merge_by_real_part(const EigenPairs& a, const EigenPairs& b, double u
 
 // Returns the number of eigenvalues, including conjugates, that the first `count` entries
 // represent.
-int count_with_conjugates(const EigenPairs& pairs, int count) {
+int count_with_conjugates(const EigenvaluesAndVectors& pairs, int count) {
   int all = 0;
   for (int k = 0; k < count; ++k) all += pairs.values[k].imag() > 0 ? 2 : 1;
   return all;
@@ -206,16 +211,17 @@ RightmostEigenvalues find_rightmost_eigenvalues(const FokkerPlanckOperator& op,
   constexpr double kLeftOfLast = 0.05;
   constexpr double kFastest = 8;
   constexpr int kMostTests = 4;
-  ShiftedInverse inverse(op.assembled_matrix());
+  ShiftedOperatorInverse inverse(op.assembled_matrix());
   RightmostEigenvalues result;
   try {
     const double unit = std::max(excitation_growth_rate, frequency);
-    // If sigma - m is at least the frequency of every mode, sorting transformed eigenvalues by
-    // modulus sorts the eigenvalues of L by real part.
+    // If the shift sigma exceeds the number m by at least the frequency of every mode, the order of
+    // the Cayley-transformed eigenvalues by modulus is the order of the eigenvalues of L by real
+    // part.
     const double width = std::max(excitation_growth_rate, kFastest * frequency);
     inverse.set_shift(std::max(excitation_growth_rate, 0.0) + kRightOfGrowth * unit);
     SpectralTransform nearest(inverse);
-    EigenPairs found =
+    EigenvaluesAndVectors found =
         merge_by_real_part(largest_eigenpairs(nearest, kNearest, kRestarts), {}, unit);
     if (static_cast<int>(found.values.size()) <= count) {
       throw std::runtime_error(fmt::format(
@@ -233,9 +239,9 @@ RightmostEigenvalues find_rightmost_eigenvalues(const FokkerPlanckOperator& op,
       const double m = std::max((last + next) / 2, last - kLeftOfLast * unit);
       inverse.set_shift(m + width);
       SpectralTransform cayley = SpectralTransform::cayley_transform(inverse, m);
-      const EigenPairs right =
+      const EigenvaluesAndVectors right =
           largest_eigenpairs(cayley, count_with_conjugates(found, count) + kSpare, kTestRestarts);
-      const EigenPairs all = merge_by_real_part(found, right, unit);
+      const EigenvaluesAndVectors all = merge_by_real_part(found, right, unit);
       for (confirmed = 0; confirmed < count; ++confirmed) {
         if (all.values[confirmed] != found.values[confirmed]) break;
       }

@@ -12,7 +12,7 @@
 
 namespace fpkcheck::fd_fpk {
 
-struct NullVector {
+struct NullVectorResult {
   std::optional<Eigen::VectorXd> averages;
   long iterations = 0;
   std::string failure = {};  ///< reason why GMRES found no null vector; empty after a success
@@ -23,17 +23,17 @@ struct NullVector {
 /// L with mass 1. GMRES solves L d = -L start for the correction d, where the vector `start` has
 /// mass 1. The operator L conserves mass, so that all residuals have mass 0 and the singular system
 /// is consistent.
-NullVector find_null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
-                            const Eigen::VectorXd& initial_averages,
-                            const base::Deadline& deadline = base::Deadline::unlimited());
+NullVectorResult find_null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
+                                  const Eigen::VectorXd& initial_averages,
+                                  const base::Deadline& deadline = base::Deadline::unlimited());
 
 /// Computes the null vector of mass 1 of an unstable operator by inverse iteration with KLU factors
 /// of the whole matrix L. A solver without a test of well-posedness would return the null vector of
 /// an unstable operator.
 /// @param frequency frequency of the oscillator, the unit of residuals
-NullVector find_null_vector_by_inverse_iteration(const FokkerPlanckOperator& op,
-                                                 const Eigen::VectorXd& initial_averages,
-                                                 double frequency);
+NullVectorResult find_null_vector_by_inverse_iteration(const FokkerPlanckOperator& op,
+                                                       const Eigen::VectorXd& initial_averages,
+                                                       double frequency);
 
 /// Eigenvalues of the operator L with the largest real parts, the rates of the slowest modes.
 struct RightmostEigenvalues {
@@ -55,11 +55,12 @@ struct RightmostEigenvalues {
 ///
 ///     C = (L - sigma)^-1 (L - (2 m - sigma)),   |eigenvalue of C| > 1 <=> Re(eigenvalue of L) > m,
 ///
-/// The number m is just left of the last eigenvalue found. The shift sigma is so large that
-/// eigenvalues of L with larger real parts give eigenvalues of C with larger modulus. The check is
-/// repeated until no new eigenvalue is found (Meerbergen, Spence and Roose, BIT 34 (1994) 409-423).
-/// The check does not prove completeness. The check may miss a mode that oscillates many times
-/// faster than eight times the growth rate or the frequency of the oscillator.
+/// The real number m is just left of the last eigenvalue of L that was found. The shift sigma is so
+/// large that eigenvalues of L with larger real parts give eigenvalues of C with larger modulus.
+/// The check by the Cayley transform is repeated until no new eigenvalue is found (Meerbergen,
+/// Spence and Roose, BIT 34 (1994) 409-423). The check of the eigenvalues does not prove
+/// completeness: it may miss a mode that oscillates many times faster than eight times the growth
+/// rate or the oscillator's frequency.
 ///
 /// @param excitation_growth_rate expected rightmost real part: the growth rate of the excitation; 0
 /// if stable

@@ -10,64 +10,75 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Order of the matrix M if the order of L is odd. With lumped weights, each equation of order 3
-// contains only cells of the same row and the same column of the grid. Order 3 has the fewest
-// nonzeros of all orders for which GMRES converges well.
+// Order of accuracy of the preconditioner matrix M if the Fokker-Planck operator L has an odd
+// order. With weights at the cell centres, each equation of order 3 couples a cell only to cells of
+// the same row and of the same column of the grid. Among the orders for which GMRES converges well,
+// order 3 has the fewest nonzero matrix entries.
 constexpr int kOrder = 3;
 
 // Returns drift and diffusion that approximate the exchange matrix. On waves of wavenumber q the
-// exchange has the symbol -i a q - D q^2 for long waves, and -exchange_rate for short waves. The
-// diffusion D would damp the shortest waves of a fine grid, q = pi/h, far too strongly. The limit
-// of the diffusion coefficient makes the shortest waves decay at about exchange_rate. The drift by
-// impulses of nonzero mean keeps the oscillator off the wall. The drift is therefore reduced only
-// if the rate of the drift for the shortest waves is many times exchange_rate.
-Excitation drift_diffusion_approximation(const Excitation& excitation, const Axis& x2) {
+// exchange has the symbol -i a q - D q^2 for long waves, and -preconditioner_exchange_decay_rate
+// for short waves. The diffusion D would damp the shortest waves of a fine grid, q = pi/h, far too
+// strongly. The limit of the diffusion coefficient makes the shortest waves decay at about
+// preconditioner_exchange_decay_rate. The drift by impulses of nonzero mean keeps the oscillator
+// off the wall. The preconditioner therefore reduces the drift only if the drift rate of the
+// shortest waves is many times preconditioner_exchange_decay_rate.
+DiscreteExcitation drift_diffusion_approximation(const DiscreteExcitation& excitation,
+                                                 const GridAxis& x2) {
   constexpr double kOvershoot = 1.5;
   const double step = x2.smallest_cell_width();
   // Empirical limits: on graded axes with narrow cells GMRES does not converge with larger drift or
   // diffusion coefficients.
   const double overshoot_of_drift = x2.cell_widths().maxCoeff() > 1.5 * step ? 3 : 10;
   const double shortest = std::numbers::pi / step;
-  const double fastest = overshoot_of_drift * excitation.exchange_rate / shortest;
-  const double limit = kOvershoot * excitation.exchange_rate / (shortest * shortest);
-  Excitation local{
-      .drift = excitation.drift + std::clamp(excitation.exchange_drift, -fastest, fastest),
+  const double fastest =
+      overshoot_of_drift * excitation.preconditioner_exchange_decay_rate / shortest;
+  const double limit =
+      kOvershoot * excitation.preconditioner_exchange_decay_rate / (shortest * shortest);
+  DiscreteExcitation local{
+      .drift = excitation.drift +
+               std::clamp(excitation.preconditioner_exchange_drift, -fastest, fastest),
       .diffusion = excitation.diffusion,
       .exchange = {},
-      .variable_diffusion = excitation.variable_diffusion};
+      .state_dependent_diffusion = excitation.state_dependent_diffusion};
   if (!excitation.parametric) {
-    local.diffusion += std::min(excitation.exchange_diffusion, limit);
+    local.diffusion += std::min(excitation.preconditioner_exchange_diffusion, limit);
     return local;
   }
   // E[Y] = 0, so that the drift of parametric impulses is 0.
-  VariableDiffusion& variable =
-      local.variable_diffusion ? *local.variable_diffusion : local.variable_diffusion.emplace();
-  variable.coefficient = [=, of_noise = variable.coefficient,
-                          factor = excitation.parametric->factor,
-                          of_impulses = excitation.exchange_diffusion](double y, double v) {
-    const double b = factor(y, 0);
-    return (of_noise ? of_noise(y, v) : 0) + std::min(of_impulses * b * b, limit);
-  };
+  StateDependentDiffusion& variable = local.state_dependent_diffusion
+                                          ? *local.state_dependent_diffusion
+                                          : local.state_dependent_diffusion.emplace();
+  variable.coefficient =
+      [=, of_noise = variable.coefficient, factor = excitation.parametric->factor,
+       of_impulses = excitation.preconditioner_exchange_diffusion](double y, double v) {
+        const double b = factor(y, 0);
+        return (of_noise ? of_noise(y, v) : 0) + std::min(of_impulses * b * b, limit);
+      };
   return local;
 }
 
 }  // namespace
 
-Preconditioner::Preconditioner(const problem::Problem& problem, const Excitation& excitation,
-                               problem::ImpactCondition impact, const Grid& grid, int order)
+Preconditioner::Preconditioner(const problem::Problem& problem,
+                               const DiscreteExcitation& excitation,
+                               problem::ImpactCondition impact, const PhasePlaneGrid& grid,
+                               int order)
     : Preconditioner(problem.system, problem::motion_scales(problem).slowest_decay_rate, excitation,
                      impact, grid, order) {}
 
 Preconditioner::Preconditioner(const problem::System& system, double mass_loss_rate,
-                               const Excitation& excitation, problem::ImpactCondition impact,
-                               const Grid& grid, int order)
+                               const DiscreteExcitation& excitation,
+                               problem::ImpactCondition impact, const PhasePlaneGrid& grid,
+                               int order)
     : mass_loss_rate_(mass_loss_rate) {
   const bool centred = order % 2 == 0;
   approximation_ = scale_and_shift_matrix(
       1,
-      fokker_planck_operator(system, drift_diffusion_approximation(excitation, grid.x2), impact,
-                             grid, centred ? order : kOrder,
-                             centred ? ProductAveraging::full : ProductAveraging::lumped)
+      fokker_planck_operator(
+          system, drift_diffusion_approximation(excitation, grid.x2), impact, grid,
+          centred ? order : kOrder,
+          centred ? CoefficientProductAveraging::full : CoefficientProductAveraging::lumped)
           .local,
       -mass_loss_rate);
 }
@@ -83,7 +94,8 @@ bool Preconditioner::factor_with_klu(const SparseColumnMatrix& matrix) {
 }
 
 bool Preconditioner::factorise_newton_matrix(double gamma) {
-  // ratio of gamma to the decay time, above which the factors of M are reused
+  // ratio of the step coefficient gamma to the decay time, above which the factors of the
+  // preconditioner M are reused
   constexpr double kLong = 3;
   if (are_stationary_ && gamma * mass_loss_rate_ >= kLong) {
     matrix_scale_ = -gamma;

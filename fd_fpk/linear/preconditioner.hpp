@@ -13,20 +13,22 @@ class System;
 namespace fpkcheck::fd_fpk {
 
 /// Preconditioner for systems with I - gamma L, or with L itself. KLU factors a sparse matrix M
-/// that approximates L. The matrix M has differences of low order, and a weak diffusion in place of
-/// the dense matrix of the velocity jumps. A small loss of mass makes M nonsingular. The number of
-/// GMRES iterations hardly increases with the number of cells (docs/performance.md).
+/// that approximates L. The preconditioner matrix M has finite differences of low order, and a weak
+/// diffusion instead of the dense matrix of the velocity jumps. A small loss of mass makes the
+/// preconditioner matrix M nonsingular. The number of GMRES iterations hardly increases with the
+/// number of cells (docs/performance.md).
 class Preconditioner {
  public:
   /// @param order order of the operator L. For odd orders the preconditioner M has order 3. For
   /// even orders M has the order of L: centred differences have no upwind dissipation, and GMRES
   /// would not converge with a dissipative preconditioner.
-  Preconditioner(const problem::Problem& problem, const Excitation& excitation,
-                 problem::ImpactCondition impact, const Grid& grid, int order = 3);
+  Preconditioner(const problem::Problem& problem, const DiscreteExcitation& excitation,
+                 problem::ImpactCondition impact, const PhasePlaneGrid& grid, int order = 3);
   /// @param mass_loss_rate rate of the mass loss that makes M nonsingular, such as
   /// problem::MotionScales::slowest_decay_rate
-  Preconditioner(const problem::System& system, double mass_loss_rate, const Excitation& excitation,
-                 problem::ImpactCondition impact, const Grid& grid, int order);
+  Preconditioner(const problem::System& system, double mass_loss_rate,
+                 const DiscreteExcitation& excitation, problem::ImpactCondition impact,
+                 const PhasePlaneGrid& grid, int order);
 
   /// Factors I - gamma M and returns false on failure; see failure_reason(). If gamma is at least
   /// three times the slowest decay time, the function reuses present factors of M, since I - gamma

@@ -15,10 +15,11 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Upper end of the box in x1 from the static deflection, in standard deviations of equivalent
-// linearisation. A hardening spring shortens the tail of p(y).
+// Upper end of the computational box in x1 from the static deflection, in standard deviations of
+// equivalent linearisation. A hardening spring shortens the tail of p(y).
 constexpr double kX1BoxDeviations = 6;
-// Minimum half-width of the box in velocity, in standard deviations of a single impulse.
+// Minimum half-width of the computational box in velocity, in standard deviations of a single
+// impulse.
 constexpr double kImpulseBoxDeviations = 6.5;
 // Distance, in units of the kernel length sqrt(b), at which the kernel of the Pade approximant
 // falls below 1e-12 of the peak.
@@ -27,23 +28,24 @@ constexpr double kPadeReach = 28;
 // Returns the excitation by parametric impulses, which change the velocity by b(y) Y. The
 // excitation has no matrix of jumps, since parametric_exchange_terms() computes the matrices. The
 // preconditioner uses the diffusion for b = 1.
-Excitation parametric_jump_excitation(const problem::Problem& problem) {
+DiscreteExcitation parametric_jump_excitation(const problem::Problem& problem) {
   const problem::ImpulseTrain& impulses = problem.impulses;
   return {.exchange = {},
-          .exchange_diffusion = impulses.rate_times_moment(2) / 2,
-          .exchange_rate = impulses.arrival_rate(),
+          .preconditioner_exchange_diffusion = impulses.rate_times_moment(2) / 2,
+          .preconditioner_exchange_decay_rate = impulses.arrival_rate(),
           .parametric = ParametricImpulses{impulses, *problem.impulse_factor}};
 }
 
 // Returns the terms of the impulses, except the diffusion of white noise in place of parametric
-// impulses (variable_diffusion()).
-Excitation impulse_excitation(const problem::Problem& problem, const Options& options,
-                              const Axis& axis, double regularisation_length) {
+// impulses (state_dependent_diffusion()).
+DiscreteExcitation impulse_excitation(const problem::Problem& problem,
+                                      const FiniteVolumeOptions& options, const GridAxis& axis,
+                                      double regularisation_length) {
   const problem::ImpulseTrain& impulses = problem.impulses;
-  if (!impulses.is_present()) return {};  // without impulses all equations coincide
+  if (!impulses.is_acting()) return {};  // without impulses all equations coincide
   switch (options.equation) {
     case DensityEquation::white:
-      return problem.impulse_factor ? Excitation{} : white_noise_excitation(impulses);
+      return problem.impulse_factor ? DiscreteExcitation{} : white_noise_excitation(impulses);
     case DensityEquation::km4:
       return kramers_moyal_excitation(impulses, axis, regularisation_length);
     case DensityEquation::km4_pade:
@@ -58,16 +60,17 @@ Excitation impulse_excitation(const problem::Problem& problem, const Options& op
 
 // Returns the diffusion coefficient of all terms with a factor of noise or impulses. White noise in
 // place of parametric impulses has the coefficient lambda E[Y^2] b^2 / 2.
-VariableDiffusion variable_diffusion(const problem::Problem& problem, bool with_impulses) {
+StateDependentDiffusion state_dependent_diffusion(const problem::Problem& problem,
+                                                  bool with_impulses) {
   // The functions contain a copy of the problem, since the functions may outlive the problem.
   const double of_impulses = with_impulses ? problem.impulses.rate_times_moment(2) / 2 : 0;
-  VariableDiffusion diffusion{.coefficient = [=](double x1, double x2) {
+  StateDependentDiffusion diffusion{.coefficient = [=](double x1, double x2) {
     return problem::noise_diffusion_coefficient(problem, x1, x2) +
            of_impulses * problem::squared_impulse_factor(problem, x1);
   }};
   if (problem.noise_factor && problem.noise_factor->depends_on_v()) {
     diffusion.slope_in_x2 = [=](double x1, double x2) {
-      return problem.noise.diffusion() * problem.noise_factor->square_slope_in_v(x1, x2);
+      return problem.noise.diffusion() * problem.noise_factor->squared_factor_slope_in_v(x1, x2);
     };
   }
   return diffusion;
@@ -75,13 +78,14 @@ VariableDiffusion variable_diffusion(const problem::Problem& problem, bool with_
 
 // Returns all excitation terms. White noise with the diffusion coefficient D adds the term (D p)''
 // to every equation.
-Excitation make_excitation(const problem::Problem& problem, const Options& options,
-                           const Axis& axis, double regularisation_length) {
+DiscreteExcitation make_excitation(const problem::Problem& problem,
+                                   const FiniteVolumeOptions& options, const GridAxis& axis,
+                                   double regularisation_length) {
   const bool has_impulse_diffusion =
       problem.impulse_factor && options.equation == DensityEquation::white;
-  Excitation terms = impulse_excitation(problem, options, axis, regularisation_length);
+  DiscreteExcitation terms = impulse_excitation(problem, options, axis, regularisation_length);
   if (problem.noise_factor || has_impulse_diffusion) {
-    terms.variable_diffusion = variable_diffusion(problem, has_impulse_diffusion);
+    terms.state_dependent_diffusion = state_dependent_diffusion(problem, has_impulse_diffusion);
   } else {
     terms.diffusion += problem.noise.diffusion();
   }
@@ -90,9 +94,9 @@ Excitation make_excitation(const problem::Problem& problem, const Options& optio
 
 // Returns the regularisation length l of km4 on the cells of an axis; the option value 0 selects
 // the literal scheme.
-double regularisation_length(const problem::Problem& problem, const Options& options,
-                             const Axis& axis) {
-  if (options.equation != DensityEquation::km4 || !problem.impulses.is_present()) return 0;
+double regularisation_length(const problem::Problem& problem, const FiniteVolumeOptions& options,
+                             const GridAxis& axis) {
+  if (options.equation != DensityEquation::km4 || !problem.impulses.is_acting()) return 0;
   if (!options.regularisation_length) {
     return default_regularisation_length(problem.impulses, axis,
                                          centred_stencil_size(transport_order(options)));
@@ -101,13 +105,13 @@ double regularisation_length(const problem::Problem& problem, const Options& opt
   return length > 0 ? length : axis.smallest_cell_width();
 }
 
-LengthScales standard_deviation_scales(const problem::Problem& problem) {
+DensityLengthScales standard_deviation_scales(const problem::Problem& problem) {
   const problem::MotionScales scales = problem::motion_scales(problem);
   return {scales.displacement_deviation, scales.velocity_deviation};
 }
 
-// Returns the number of cells of an axis as a double, since a box may need more cells than an int
-// can represent.
+// Returns the number of cells of an axis as a double, since a computational box may need more cells
+// than an int can represent.
 double axis_cell_count(double refined_length, double cell_width, double min_count) {
   return std::max(min_count, std::ceil(refined_length / cell_width - 1e-9));
 }
@@ -115,12 +119,13 @@ double axis_cell_count(double refined_length, double cell_width, double min_coun
 // Returns the minimum number of cells of an axis, proportional to the refinement, so that the grids
 // of an error estimate differ. The constant kFewest is the number of cells that one-sided stencils
 // require.
-double min_axis_cell_count(const Options& options) {
+double min_axis_cell_count(const FiniteVolumeOptions& options) {
   constexpr double kAutomatic = 16, kFewest = 8;
   return std::max(kFewest, std::ceil(kAutomatic * options.refinement - 1e-9));
 }
 
-Discretisation failed_discretisation(const Box& box, std::string failure, double cells) {
+PlaneDiscretisation failed_discretisation(const PhasePlaneBox& box, std::string failure,
+                                          double cells) {
   return {.grid = make_grid(1, 2, box.x1_max, box.x2_max),
           .excitation = {},
           .regularisation_length = 0,
@@ -128,9 +133,9 @@ Discretisation failed_discretisation(const Box& box, std::string failure, double
           .cells = cells};
 }
 
-// Returns the reason why no grid is usable; empty if the grid is usable.
-std::string grid_failure_reason(const problem::Problem& problem, const Options& options,
-                                const Box& box, double nx, double nv) {
+// Returns the reason why the options permit no usable grid; empty if a grid is usable.
+std::string grid_failure_reason(const problem::Problem& problem, const FiniteVolumeOptions& options,
+                                const PhasePlaneBox& box, double nx, double nv) {
   if (options.impact == ImpactCondition::map) {
     std::string collapse = problem::inelastic_collapse_reason(problem, options.equation);
     if (!collapse.empty()) return collapse;
@@ -141,7 +146,7 @@ std::string grid_failure_reason(const problem::Problem& problem, const Options& 
         "box",
         nx, nv, kMaxCells);
   }
-  if (!problem.impulses.is_present()) return "";
+  if (!problem.impulses.is_acting()) return "";
   if (options.equation == DensityEquation::km4_pade &&
       pade_kernel_length_squared(problem.impulses) <= 0) {
     return "the Pade approximant of the truncated series does not exist: the law is too skew, "
@@ -160,16 +165,16 @@ std::string grid_failure_reason(const problem::Problem& problem, const Options& 
 
 // Returns the end of an axis with `cells` cells up to `length`, after `added_cells` cells are added
 // beyond `length`.
-double extended_axis_end(int added_cells, int cells, double length, const Grading& grading) {
+double extended_axis_end(int added_cells, int cells, double length, const CellGrading& grading) {
   const double present = graded_cell_count(length, 1, grading),
                added = present * added_cells / cells;
   if (added_cells == 0) return length;
-  // The number of cells increases at least as fast as the length.
+  // The number of cells of an axis increases at least in proportion to the length of the axis.
   return numerics::bracketed_root(
       [&](double end) { return graded_cell_count(end, 1, grading) - present - added; }, length,
       length + 2 * added);
 }
-int additional_cells(int cells, double length, double length_factor, const Grading& grading) {
+int additional_cells(int cells, double length, double length_factor, const CellGrading& grading) {
   const double quotient =
       graded_cell_count(length_factor * length, 1, grading) / graded_cell_count(length, 1, grading);
   return static_cast<int>(std::lround((quotient - 1) * cells));
@@ -184,7 +189,8 @@ int additional_cells(int cells, double length, double length_factor, const Gradi
 // stiffness.
 class StretchedCoordinate {
  public:
-  StretchedCoordinate(const problem::System& system, const Box& box, const LengthScales& lengths)
+  StretchedCoordinate(const problem::System& system, const PhasePlaneBox& box,
+                      const DensityLengthScales& lengths)
       : from_(box.x1_min), interval_((box.x1_max - box.x1_min) / kIntervals) {
     if (system.kinks_in_y(box.x1_min, box.x1_max).empty()) return;
     std::vector<double> length(kIntervals, lengths.x1);
@@ -212,8 +218,8 @@ class StretchedCoordinate {
   }
 
  private:
-  // Number of intervals, such that the narrowest cell of the largest grids (300 x 300 cells,
-  // kMaxCells) contains two intervals
+  // Number of table intervals. The narrowest cell of the largest grids (300 x 300 cells, kMaxCells)
+  // contains two intervals.
   static constexpr int kIntervals = 2000;
 
   double position(int node) const { return from_ + node * interval_; }
@@ -222,13 +228,13 @@ class StretchedCoordinate {
   std::vector<double> values_;  // s at the ends of the intervals
 };
 
-// Cells of x1 with faces at the refinement points
-struct X1Cells {
-  const Box& box;
+// Requirements on the cells of the displacement axis x1 whose faces include the refinement points
+struct X1CellRequirements {
+  const PhasePlaneBox& box;
   const std::vector<RefinementPoint>& points;
   const StretchedCoordinate& stretched;
 
-  // Returns the number of cells times the cell width far from the refinement points.
+  // Returns the product of the number of cells and the cell width far from the refinement points.
   double refined_length() const {
     const double length = box.x1_max - box.x1_min;
     double total = stretched(box.x1_max) - stretched(box.x1_min);
@@ -240,22 +246,24 @@ struct X1Cells {
   std::vector<double> faces(int cells) const {
     // The factor 1 + 1e-12 prevents an additional cell due to rounding errors.
     const double step = refined_length() / cells * (1 + 1e-12);
-    return faces_graded_to_points(box.x1_min, box.x1_max, step, points, stretched);
+    return cell_faces_graded_to_points(box.x1_min, box.x1_max, step, points, stretched);
   }
 };
 
 }  // namespace
 
-LengthScales fisher_length_scales(const problem::System& system, const Box& box, const Grid& grid,
-                                  const Eigen::VectorXd& averages,
-                                  const problem::MotionScales& scales) {
+DensityLengthScales fisher_length_scales(const problem::System& system, const PhasePlaneBox& box,
+                                         const PhasePlaneGrid& grid,
+                                         const Eigen::VectorXd& averages,
+                                         const problem::MotionScales& scales) {
   const StretchedCoordinate stretched(system, box, box.lengths);
-  // Fraction of the peak below which densities may be numerical errors
+  // Density, as a fraction of the peak density, below which a computed density may be a numerical
+  // error
   constexpr double kFaint = 1e-3;
   constexpr double kShortest = 0.25;  // minimum length scale, in standard deviations
   // Maximum number of length scales along the axis, since a long tail is smooth
   constexpr double kMost = 25;
-  const Eigen::Index nx = grid.nx(), nv = grid.nv();
+  const Eigen::Index nx = grid.nx(), nv = grid.v_cell_count();
   const double faint = kFaint * averages.maxCoeff();
   double of_x1 = 0, of_x2 = 0, mass = 0;
   const auto slope = [&](double p, double next, double distance) {
@@ -286,37 +294,37 @@ LengthScales fisher_length_scales(const problem::System& system, const Box& box,
           length(of_x2, scales.velocity_deviation, 2 * grid.x2_max())};
 }
 
-Box initial_box(const problem::Problem& problem, const Options& options) {
+PhasePlaneBox initial_box(const problem::Problem& problem, const FiniteVolumeOptions& options) {
   return initial_box(problem, problem::motion_scales(problem), options);
 }
 
-Box initial_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                const Options& options) {
+PhasePlaneBox initial_box(const problem::Problem& problem, const problem::MotionScales& scales,
+                          const FiniteVolumeOptions& options) {
   const problem::System& system = problem.system;
   const auto& law = problem.impulses.amplitude_law();
   // For problems without has_linearised_scales(), problem::MotionScales contains the limits of the
-  // box.
+  // computational box.
   const bool linearised = has_linearised_scales(problem);
   const double y_high =
       linearised ? scales.centre + kX1BoxDeviations * scales.displacement_deviation : scales.y_high;
-  const double of_impulse = problem.impulses.is_present()
+  const double of_impulse = problem.impulses.is_acting()
                                 ? std::abs(law.moment(1)) + kImpulseBoxDeviations * law.deviation()
                                 : 0;
-  Box box{.x1_max = options.x1_max.value_or(y_high),
-          .x2_max = options.x2_max.value_or(std::max(scales.v_high, of_impulse)),
-          .x1_min = options.x1_max ? -*options.x1_max : scales.y_low,
-          .lengths = {scales.displacement_deviation, scales.velocity_deviation}};
+  PhasePlaneBox box{.x1_max = options.x1_max.value_or(y_high),
+                    .x2_max = options.x2_max.value_or(std::max(scales.v_high, of_impulse)),
+                    .x1_min = options.x1_max ? -*options.x1_max : scales.y_low,
+                    .lengths = {scales.displacement_deviation, scales.velocity_deviation}};
   if (system.left_wall()) box.x1_min = system.left_wall()->position;
   if (system.right_wall()) box.x1_max = system.right_wall()->position;
   return box;
 }
 
-EnlargedBox enlarge_box(const problem::Problem& problem, const Options& options, const Grid& grid,
-                        double factor_x1, double factor_x2) {
-  const GridGradings graded =
+EnlargedBox enlarge_box(const problem::Problem& problem, const FiniteVolumeOptions& options,
+                        const PhasePlaneGrid& grid, double factor_x1, double factor_x2) {
+  const GridCellGradings graded =
       automatic_gradings(problem, options, standard_deviation_scales(problem));
-  const Grading &of_x1 = graded.x1, &of_x2 = graded.x2;
-  const int nx = grid.nx(), half = grid.nv() / 2;
+  const CellGrading &of_x1 = graded.x1, &of_x2 = graded.x2;
+  const int nx = grid.nx(), half = grid.v_cell_count() / 2;
   const int more_x1 = additional_cells(nx, grid.x1_max(), factor_x1, of_x1);
   const int more_x2 = additional_cells(half, grid.x2_max(), factor_x2, of_x2);
   return {.box = {.x1_max = extended_axis_end(more_x1, nx, grid.x1_max(), of_x1),
@@ -325,12 +333,14 @@ EnlargedBox enlarge_box(const problem::Problem& problem, const Options& options,
           .nv = 2 * (half + more_x2)};
 }
 
-Discretisation discretise(const problem::Problem& problem, const Options& options, const Box& box) {
+PlaneDiscretisation discretise_density_equation(const problem::Problem& problem,
+                                                const FiniteVolumeOptions& options,
+                                                const PhasePlaneBox& box) {
   const problem::System& system = problem.system;
-  const LengthScales lengths =
+  const DensityLengthScales lengths =
       box.lengths.x1 > 0 ? box.lengths : standard_deviation_scales(problem);
-  const GridGradings graded = automatic_gradings(problem, options, lengths);
-  const LengthScales widths = automatic_cell_widths(problem, options, lengths);
+  const GridCellGradings graded = automatic_gradings(problem, options, lengths);
+  const DensityLengthScales widths = automatic_cell_widths(problem, options, lengths);
   const double length = box.x1_max - box.x1_min;
   std::vector<RefinementPoint> points;
   if (graded.at_left_wall) points.push_back({box.x1_min, graded.x1});
@@ -345,7 +355,7 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
   }
   if (graded.at_right_wall) points.push_back({box.x1_max, graded.x1});
   const StretchedCoordinate stretched(system, box, lengths);
-  const X1Cells x1_cells{box, points, stretched};
+  const X1CellRequirements x1_cells{box, points, stretched};
   const double least = min_axis_cell_count(options);
   // The call value_or() would convert the double to int.
   const double nx = options.nx ? *options.nx
@@ -356,13 +366,13 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
                                                      widths.x2, least);
   std::string failure = grid_failure_reason(problem, options, box, nx, nv);
   if (!failure.empty()) return failed_discretisation(box, std::move(failure), nx * nv);
-  Grid grid =
+  PhasePlaneGrid grid =
       symmetric_grid(x1_cells.faces(static_cast<int>(nx)),
-                     graded_faces(box.x2_max, static_cast<int>(nv) / 2, graded.x2),
+                     graded_cell_faces(box.x2_max, static_cast<int>(nv) / 2, graded.x2),
                      system.left_wall() ? AxisEndCondition::boundary : AxisEndCondition::vacuum,
                      system.right_wall() ? AxisEndCondition::boundary : AxisEndCondition::vacuum);
   const double l = regularisation_length(problem, options, grid.x2);
-  Excitation terms = make_excitation(problem, options, grid.x2, l);
+  DiscreteExcitation terms = make_excitation(problem, options, grid.x2, l);
   const double cells = grid.size();
   return {.grid = std::move(grid),
           .excitation = std::move(terms),
@@ -371,33 +381,36 @@ Discretisation discretise(const problem::Problem& problem, const Options& option
           .cells = cells};
 }
 
-Discretisation with_excitation_of(const problem::Problem& problem, const Options& options,
-                                  const Discretisation& discretisation) {
-  Discretisation changed = discretisation;
+PlaneDiscretisation discretise_excitation_on_same_grid(const problem::Problem& problem,
+                                                       const FiniteVolumeOptions& options,
+                                                       const PlaneDiscretisation& discretisation) {
+  PlaneDiscretisation changed = discretisation;
   changed.excitation = make_excitation(problem, options, discretisation.grid.x2,
                                        discretisation.regularisation_length);
   return changed;
 }
 
-FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem, const Options& options,
-                                            const Discretisation& discretisation) {
+FokkerPlanckOperator fokker_planck_operator(const problem::Problem& problem,
+                                            const FiniteVolumeOptions& options,
+                                            const PlaneDiscretisation& discretisation) {
   return fokker_planck_operator(problem.system, discretisation.excitation, options.impact,
                                 discretisation.grid, transport_order(options));
 }
 
 UnboundedAxisExcitation unbounded_axis_excitation(const problem::Problem& problem,
-                                                  const Options& options, double cell_width) {
+                                                  const FiniteVolumeOptions& options,
+                                                  double cell_width) {
   const int points = centred_stencil_size(transport_order(options));
   const double length =
-      regularisation_length(problem, options, Axis::with_uniform_cells(0, cell_width, 1));
+      regularisation_length(problem, options, GridAxis::with_uniform_cells(0, cell_width, 1));
   int reach = excitation_half_bandwidth(length, cell_width, points);
   if (options.equation == DensityEquation::km4_pade) {
     // The kernel of the inverse in the Pade approximant decays as exp(-|x2| / sqrt(b)).
     reach += static_cast<int>(std::ceil(
         kPadeReach * std::sqrt(pade_kernel_length_squared(problem.impulses)) / cell_width));
   }
-  Axis axis = Axis::with_uniform_cells(0, cell_width, 2 * reach + 1);
-  Excitation terms = make_excitation(problem, options, axis, length);
+  GridAxis axis = GridAxis::with_uniform_cells(0, cell_width, 2 * reach + 1);
+  DiscreteExcitation terms = make_excitation(problem, options, axis, length);
   return {std::move(axis), std::move(terms)};
 }
 

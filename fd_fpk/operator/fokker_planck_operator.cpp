@@ -50,31 +50,31 @@ AxisOperator keep_rows(const AxisOperator& matrix, int first_row, int row_count)
 
 // Returns the matrix of the streaming term -d/dx1 (x2 p), by fluxes through the inner faces of x1.
 // No stencil of the averages of x2 p crosses a kink of p at x2 = 0.
-SparseColumnMatrix streaming_matrix(const Grid& grid, int scheme_order, int weight_stencil_size,
-                                    bool has_kinks) {
-  const Axis& x1 = grid.x1;
-  const int half = grid.nv() / 2;
+SparseColumnMatrix streaming_matrix(const PhasePlaneGrid& grid, int scheme_order,
+                                    int weight_stencil_size, bool has_kinks) {
+  const GridAxis& x1 = grid.x1;
+  const int half = grid.v_cell_count() / 2;
   const AxisOperator minus_speed =
       weighted_average_operator(grid.x2, weight_stencil_size, numerics::Polynomial({0, -1}),
                                 has_kinks ? std::optional(half) : std::nullopt);
   const AxisOperator rightwards =
-      divergence_operator(x1) * face_value_operator(x1, scheme_order, UpstreamSide::left);
+      divergence_operator(x1) * face_value_operator(x1, scheme_order, UpstreamSideOfFace::left);
   // No motion enters through a barrier: the density of motion to the left is 0 beyond the barrier.
   const bool has_barrier = x1.right_end_condition() == AxisEndCondition::barrier;
   const AxisOperator leftwards =
       divergence_operator(x1) *
       face_value_operator(has_barrier ? x1.with_right_end_condition(AxisEndCondition::vacuum) : x1,
-                          scheme_order, UpstreamSide::right);
+                          scheme_order, UpstreamSideOfFace::right);
   return kronecker_product(rightwards, keep_rows(minus_speed, half, half)) +
          kronecker_product(leftwards, keep_rows(minus_speed, 0, half));
 }
 
 // Returns the index of the velocity cell of motion into the wall, for cell b of the speed axis.
-int cell_of_motion_into_wall(const Grid& grid, AxisEnd end, int speed_cell) {
-  const int half = grid.nv() / 2;
+int cell_of_motion_into_wall(const PhasePlaneGrid& grid, AxisEnd end, int speed_cell) {
+  const int half = grid.v_cell_count() / 2;
   return end == AxisEnd::left ? half - 1 - speed_cell : half + speed_cell;
 }
-int cell_of_motion_off_wall(const Grid& grid, AxisEnd end, int speed_cell) {
+int cell_of_motion_off_wall(const PhasePlaneGrid& grid, AxisEnd end, int speed_cell) {
   return cell_of_motion_into_wall(grid, end == AxisEnd::left ? AxisEnd::right : AxisEnd::left,
                                   speed_cell);
 }
@@ -82,10 +82,10 @@ int cell_of_motion_off_wall(const Grid& grid, AxisEnd end, int speed_cell) {
 // Returns the matrix of the impacts at a wall. The flux into the wall leaves the column of cells at
 // the wall and enters the column again with the opposite sign of x2.
 SparseColumnMatrix wall_exchange_matrix(const problem::Wall& wall, problem::ImpactCondition impact,
-                                        const Grid& grid, int scheme_order, AxisEnd end) {
-  const int half = grid.nv() / 2;
-  // Matrix from fluxes in speed cells to rates in velocity cells
-  AxisOperator exchange(grid.nv(), half);
+                                        const PhasePlaneGrid& grid, int scheme_order, AxisEnd end) {
+  const int half = grid.v_cell_count() / 2;
+  // Matrix that maps probability fluxes in speed cells to rates of change in velocity cells
+  AxisOperator exchange(grid.v_cell_count(), half);
   {
     std::vector<Eigen::Triplet<double>> entries;
     for (int b = 0; b < half; ++b)
@@ -105,9 +105,9 @@ SparseColumnMatrix wall_exchange_matrix(const problem::Wall& wall, problem::Impa
 }
 
 // Returns the matrix of the motion that leaves through a barrier at the right end.
-SparseColumnMatrix barrier_outflow_matrix(const Grid& grid, int scheme_order) {
-  const int half = grid.nv() / 2, last = grid.nx() - 1;
-  AxisOperator outflow(grid.nv(), half);
+SparseColumnMatrix barrier_outflow_matrix(const PhasePlaneGrid& grid, int scheme_order) {
+  const int half = grid.v_cell_count() / 2, last = grid.nx() - 1;
+  AxisOperator outflow(grid.v_cell_count(), half);
   for (int b = 0; b < half; ++b)
     outflow.insert(cell_of_motion_into_wall(grid, AxisEnd::right, b), b) = -1.0;
   const AxisOperator out_of_column =
@@ -117,22 +117,23 @@ SparseColumnMatrix barrier_outflow_matrix(const Grid& grid, int scheme_order) {
 }
 
 // Returns the matrix of the term d/dx2 [ x2^power p ], by fluxes through the inner faces of x2. The
-// matrix `values` maps cell averages to values of p on the faces.
-AxisOperator power_divergence_matrix(const Axis& x2, int power, const AxisOperator& values) {
+// matrix `values` maps cell averages of the density p to values of p on the cell faces.
+AxisOperator power_divergence_matrix(const GridAxis& x2, int power, const AxisOperator& values) {
   AxisOperator factor(x2.cell_count() + 1, x2.cell_count() + 1);
   for (int f = 0; f <= x2.cell_count(); ++f)
     factor.insert(f, f) = std::pow(x2.face_position(f), power);
   return divergence_operator(x2) * AxisOperator(factor * values);
 }
 
-// Operators from cell averages of x2 to values and derivatives of p on the faces of x2.
+// Matrices that map averages of the density over velocity cells to values and derivatives on the
+// velocity faces.
 struct FaceReconstruction {
   AxisOperator centred, derivative, jump;  // jump: value from the left minus value from the right
 };
 
 // Returns the one-sided forces at x2 = 0, for x2 < 0 and x2 > 0.
 std::pair<double, double> one_sided_forces(const problem::System& system, double x1,
-                                           const Grid& grid) {
+                                           const PhasePlaneGrid& grid) {
   // At the velocity `small` the force differs from the one-sided limit at x2 = 0 only by rounding
   // errors.
   const double small = 1e-12 * grid.x2_max();
@@ -140,12 +141,14 @@ std::pair<double, double> one_sided_forces(const problem::System& system, double
 }
 
 // Returns the kink of the density at x2 = 0 for each column of cells of x1, where the force jumps
-// under diffusion. The result is empty if the density is smooth at x2 = 0, and under multiplicative
-// noise, whose kinks the stencils do not represent.
-std::vector<DensityKink> density_kinks(const problem::System& system, const Excitation& excitation,
-                                       const Grid& grid) {
+// under diffusion. Without a kink of the density at x2 = 0, and under multiplicative noise, for
+// whose kinks no stencils exist, the result is empty.
+std::vector<DensityKink> density_kinks(const problem::System& system,
+                                       const DiscreteExcitation& excitation,
+                                       const PhasePlaneGrid& grid) {
   const double diffusion = excitation.diffusion;
-  if (!system.has_force_jumps_in_v() || diffusion <= 0 || excitation.variable_diffusion) return {};
+  if (!system.has_force_jumps_in_v() || diffusion <= 0 || excitation.state_dependent_diffusion)
+    return {};
   std::vector<DensityKink> kinks;
   for (int i = 0; i < grid.nx(); ++i) {
     const auto [below, above] = one_sided_forces(system, grid.x1.cell_centre(i), grid);
@@ -157,15 +160,15 @@ std::vector<DensityKink> density_kinks(const problem::System& system, const Exci
 
 // Returns the reconstructions on the faces of x2: a single reconstruction for all columns of cells
 // of x1 or, for a density with kinks, a reconstruction for each column.
-std::vector<FaceReconstruction> face_reconstructions(const Axis& x2, int scheme_order,
+std::vector<FaceReconstruction> face_reconstructions(const GridAxis& x2, int scheme_order,
                                                      const std::vector<DensityKink>& kinks) {
   const int centred = centred_stencil_size(scheme_order);
   const auto reconstruction = [&](const auto&... kink) {
     return FaceReconstruction{
-        face_value_operator(x2, centred, UpstreamSide::left, kink...),
+        face_value_operator(x2, centred, UpstreamSideOfFace::left, kink...),
         face_derivative_operator(x2, centred, kink...),
-        face_value_operator(x2, scheme_order, UpstreamSide::left, kink...) -
-            face_value_operator(x2, scheme_order, UpstreamSide::right, kink...)};
+        face_value_operator(x2, scheme_order, UpstreamSideOfFace::left, kink...) -
+            face_value_operator(x2, scheme_order, UpstreamSideOfFace::right, kink...)};
   };
   std::vector<FaceReconstruction> all;
   if (kinks.empty()) all.push_back(reconstruction());
@@ -178,10 +181,10 @@ std::vector<FaceReconstruction> face_reconstructions(const Axis& x2, int scheme_
 // values_of(column) maps cell averages of x2 to the values of L p on the faces, in a column of
 // cells.
 template <class ValuesOf, class Weight>
-SparseColumnMatrix weighted_divergence_matrix(const Grid& grid, int weight_stencil_size,
+SparseColumnMatrix weighted_divergence_matrix(const PhasePlaneGrid& grid, int weight_stencil_size,
                                               const ValuesOf& values_of, const Weight& weight) {
-  const Axis& x2 = grid.x2;
-  const int nv = grid.nv();
+  const GridAxis& x2 = grid.x2;
+  const int nv = grid.v_cell_count();
   const WeightedAverages averages(grid.x1, weight_stencil_size);
   std::vector<Eigen::Triplet<double>> entries;
   for (int face = 1; face < nv; ++face) {
@@ -207,7 +210,7 @@ SparseColumnMatrix weighted_divergence_matrix(const Grid& grid, int weight_stenc
 
 // Returns the matrix of the term d/dx2 [ f(x1, x2) p ] for the formula f of a force. On a face at
 // which f jumps, f is the mean of the one-sided forces.
-SparseColumnMatrix formula_force_matrix(const problem::System& system, const Grid& grid,
+SparseColumnMatrix formula_force_matrix(const problem::System& system, const PhasePlaneGrid& grid,
                                         const std::vector<FaceReconstruction>& reconstructions,
                                         int weight_stencil_size) {
   const bool has_kinks = reconstructions.size() > 1;
@@ -224,7 +227,8 @@ SparseColumnMatrix formula_force_matrix(const problem::System& system, const Gri
 }
 
 // Returns the matrix of the term d^2/dx2^2 [ D(x1, x2) p ], as the divergence of D p' + D' p.
-SparseColumnMatrix variable_diffusion_matrix(const VariableDiffusion& diffusion, const Grid& grid,
+SparseColumnMatrix variable_diffusion_matrix(const StateDependentDiffusion& diffusion,
+                                             const PhasePlaneGrid& grid,
                                              const FaceReconstruction& reconstruction,
                                              int weight_stencil_size) {
   SparseColumnMatrix matrix = weighted_divergence_matrix(
@@ -260,7 +264,7 @@ SparseColumnMatrix block_diagonal_matrix(const std::vector<AxisOperator>& blocks
 
 // Returns the matrix of drift and diffusion for densities with kinks.
 SparseColumnMatrix kinked_drift_diffusion_matrix(
-    const Axis& x2, const Excitation& excitation,
+    const GridAxis& x2, const DiscreteExcitation& excitation,
     const std::vector<FaceReconstruction>& reconstructions) {
   const AxisOperator divergence = divergence_operator(x2);
   std::vector<AxisOperator> blocks;
@@ -273,13 +277,14 @@ SparseColumnMatrix kinked_drift_diffusion_matrix(
 
 // Returns the matrix of the term d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ], by fluxes through the
 // inner faces of x2.
-SparseColumnMatrix damping_and_force_matrix(const problem::System& system, const Grid& grid,
+SparseColumnMatrix damping_and_force_matrix(const problem::System& system,
+                                            const PhasePlaneGrid& grid,
                                             const std::vector<FaceReconstruction>& reconstructions,
                                             int weight_stencil_size) {
   if (!system.has_polynomial_force()) {
     return formula_force_matrix(system, grid, reconstructions, weight_stencil_size);
   }
-  const Axis& x2 = grid.x2;
+  const GridAxis& x2 = grid.x2;
   const AxisOperator& values = reconstructions.front().centred;
   const AxisOperator force =
       weighted_average_operator(grid.x1, weight_stencil_size, system.restoring_force());
@@ -301,12 +306,12 @@ SparseColumnMatrix damping_and_force_matrix(const problem::System& system, const
 // Returns the matrix of the difference between the upwind-biased and the centred transport terms in
 // x2, for an odd order. With the velocity a = -(c(x1) x2 + c_vv x2^3 + g(x1)) the upwind flux is
 //     a (p_left + p_right)/2 + |a| (p_left - p_right)/2.
-// The first term of the upwind flux is the centred flux of the next even order.
+// The first term of this upwind flux is the centred flux of the next even order.
 SparseColumnMatrix upwind_correction_matrix(
-    const problem::System& system, const Grid& grid,
+    const problem::System& system, const PhasePlaneGrid& grid,
     const std::vector<FaceReconstruction>& reconstructions) {
-  const Axis& x1 = grid.x1;
-  const Axis& x2 = grid.x2;
+  const GridAxis& x1 = grid.x1;
+  const GridAxis& x2 = grid.x2;
   const AxisOperator columns = identity_matrix(grid.nx());
   SparseColumnMatrix flux;
   if (reconstructions.size() == 1) {
@@ -317,7 +322,7 @@ SparseColumnMatrix upwind_correction_matrix(
       jumps.push_back(reconstruction.jump);
     flux = block_diagonal_matrix(jumps);
   }
-  const int faces = grid.nv() + 1;
+  const int faces = grid.v_cell_count() + 1;
   Eigen::VectorXd half_speeds(flux.rows());  // |a|/2 on each face
   for (int i = 0; i < grid.nx(); ++i) {
     for (int face = 0; face < faces; ++face) {
@@ -368,26 +373,27 @@ SparseColumnMatrix scale_and_shift_matrix(double factor, const SparseColumnMatri
   return factor * matrix + shift * unit;
 }
 
-SparseColumnMatrix wall_flux_matrix(const Grid& grid, int scheme_order, AxisEnd end) {
-  const int half = grid.nv() / 2;
+SparseColumnMatrix wall_flux_matrix(const PhasePlaneGrid& grid, int scheme_order, AxisEnd end) {
+  const int half = grid.v_cell_count() / 2;
   const bool left = end == AxisEnd::left;
   // The density on the wall is discontinuous at x2 = 0, so that a stencil contains only cells with
   // one sign of x2.
   const AxisOperator speed =
       weighted_average_operator(grid.x2, averaging_stencil_size(scheme_order),
                                 numerics::Polynomial({0, left ? -1.0 : 1.0}), half);
-  AxisOperator in_order(half, grid.nv());
+  AxisOperator in_order(half, grid.v_cell_count());
   for (int b = 0; b < half; ++b) in_order.insert(b, cell_of_motion_into_wall(grid, end, b)) = 1.0;
   return kronecker_product(end_value_operator(grid.x1, end, scheme_order),
                            AxisOperator(in_order * speed));
 }
 
 FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
-                                            const Excitation& excitation,
-                                            problem::ImpactCondition impact, const Grid& grid,
-                                            int scheme_order, ProductAveraging averaging) {
+                                            const DiscreteExcitation& excitation,
+                                            problem::ImpactCondition impact,
+                                            const PhasePlaneGrid& grid, int scheme_order,
+                                            CoefficientProductAveraging averaging) {
   const int weight_stencil_size =
-      averaging == ProductAveraging::full ? averaging_stencil_size(scheme_order) : 1;
+      averaging == CoefficientProductAveraging::full ? averaging_stencil_size(scheme_order) : 1;
   const std::vector<DensityKink> kinks = density_kinks(system, excitation, grid);
   SparseColumnMatrix local =
       streaming_matrix(grid, scheme_order, weight_stencil_size, !kinks.empty());
@@ -406,14 +412,14 @@ FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
                                    drift_diffusion_matrix(grid.x2, excitation,
                                                           centred_stencil_size(scheme_order)))
                : kinked_drift_diffusion_matrix(grid.x2, excitation, reconstructions);
-  if (excitation.variable_diffusion) {
-    local += variable_diffusion_matrix(*excitation.variable_diffusion, grid,
+  if (excitation.state_dependent_diffusion) {
+    local += variable_diffusion_matrix(*excitation.state_dependent_diffusion, grid,
                                        reconstructions.front(), weight_stencil_size);
   }
   if (scheme_order % 2 == 1) local += upwind_correction_matrix(system, grid, reconstructions);
   local.prune(0.0);
   local.makeCompressed();
-  std::vector<ExchangeTerm> exchange;
+  std::vector<NonlocalExcitationTerm> exchange;
   if (excitation.parametric) {
     exchange = parametric_exchange_terms(*excitation.parametric, grid, weight_stencil_size);
   } else if (excitation.exchange.size() > 0) {
@@ -454,8 +460,8 @@ Eigen::VectorXd FokkerPlanckOperator::transposed_product(const Eigen::VectorXd& 
 }
 
 SparseColumnMatrix FokkerPlanckOperator::assembled_matrix() const {
-  // Jumps by a whole number of cells cause rounding errors in matrix entries whose exact value is
-  // zero.
+  // Velocity jumps by a whole number of cells cause rounding errors in matrix entries whose exact
+  // value is zero.
   constexpr double kRounding = 1e-14;
   SparseColumnMatrix matrix = local;
   for (const auto& [of_x1, of_x2] : exchange) {

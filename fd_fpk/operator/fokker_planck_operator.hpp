@@ -15,12 +15,12 @@ class System;
 namespace fpkcheck::fd_fpk {
 
 /// Sparse matrix of compressed columns with 32-bit indices, the input format of KLU. With 64-bit
-/// indices the triangular solves read a third more memory.
+/// indices the solution of triangular systems by KLU would read a third more memory.
 using SparseColumnMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor>;
 
 /// Term A (x) E of velocity jumps, with A acting on x1, shape (nx, nx), and E on x2, shape (nv,
 /// nv).
-struct ExchangeTerm {
+struct NonlocalExcitationTerm {
   std::optional<AxisOperator> of_x1;  ///< A; absent for the identity
   Eigen::MatrixXd of_x2;
 };
@@ -31,7 +31,7 @@ struct ExchangeTerm {
 struct FokkerPlanckOperator {
   SparseColumnMatrix
       local;  ///< terms of transport, impact, drift and diffusion; shape (size, size)
-  std::vector<ExchangeTerm> exchange;  ///< one term unless the impulses are parametric
+  std::vector<NonlocalExcitationTerm> exchange;  ///< one term unless the impulses are parametric
   Eigen::VectorXd areas;
 
   Eigen::VectorXd operator*(const Eigen::VectorXd& cell_averages) const;
@@ -47,13 +47,14 @@ struct FokkerPlanckOperator {
 };
 
 /// Rule that computes the cell averages of x2 p, and of the force times p, from cell averages of p.
-/// The rule `full` uses several cells and has the order of the operator. The rule `lumped`
-/// multiplies the average of p by x2 or the force at the cell centre, which is accurate to second
-/// order.
-enum class ProductAveraging { full, lumped };
+/// The rule `full` averages over several cells and has the order of accuracy of the operator. The
+/// rule `lumped` multiplies the cell average of p by the value of x2, or of the force, at the cell
+/// centre, and is accurate to second order.
+enum class CoefficientProductAveraging { full, lumped };
 
 /// Returns the operator of paper (15) with the given excitation, and with the impact condition at
-/// each wall. A right end of x1 with the condition `barrier` absorbs the motion that reaches it:
+/// each wall. A right end of the axis x1 with the condition `barrier` absorbs the motion that
+/// reaches this end:
 ///
 ///     p_t = -x2 p_1 + d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ] + excitation,
 ///
@@ -63,16 +64,15 @@ enum class ProductAveraging { full, lumped };
 /// @param scheme_order order of accuracy of the transport terms; odd orders have upwind-biased
 /// stencils, even orders centred stencils. The derivatives of the excitation have centred stencils
 /// of the next even order.
-FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
-                                            const Excitation& excitation,
-                                            problem::ImpactCondition impact, const Grid& grid,
-                                            int scheme_order,
-                                            ProductAveraging averaging = ProductAveraging::full);
+FokkerPlanckOperator fokker_planck_operator(
+    const problem::System& system, const DiscreteExcitation& excitation,
+    problem::ImpactCondition impact, const PhasePlaneGrid& grid, int scheme_order,
+    CoefficientProductAveraging averaging = CoefficientProductAveraging::full);
 
 /// Returns the matrix that maps cell averages to the flux of probability into a wall, shape (nv/2,
 /// nx nv). Row i gives the average of u p(0+, -u), or of u p(b-, u) at a second wall x1 = b, over
 /// cell i of the axis of the speed u.
-SparseColumnMatrix wall_flux_matrix(const Grid& grid, int scheme_order,
+SparseColumnMatrix wall_flux_matrix(const PhasePlaneGrid& grid, int scheme_order,
                                     AxisEnd end = AxisEnd::left);
 
 /// Returns the matrix factor A + shift I, with the identity matrix I.

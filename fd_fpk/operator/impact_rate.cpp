@@ -18,12 +18,12 @@ const double kOffset = std::sqrt(0.6) / 2;
 const std::array<double, kPoints> kFractions{0.5 - kOffset, 0.5, 0.5 + kOffset};
 constexpr std::array<double, kPoints> kWeights{5.0 / 18, 8.0 / 18, 5.0 / 18};
 
-double quadrature_node(const Axis& axis, int cell, int point) {
+double quadrature_node(const GridAxis& axis, int cell, int point) {
   return axis.face_position(cell) + kFractions[point] * axis.cell_width(cell);
 }
 
-// Coordinates relative to a wall: distance d = sign (x - position) >= 0, velocity w = sign v away
-// from the wall.
+// Coordinates relative to a wall at `position`: the distance d = sign (x - position) >= 0 and the
+// velocity w = sign v away from the wall, with sign = 1 at the left wall and -1 at the right wall.
 struct WallCoordinates {
   double position;
   double sign;
@@ -33,8 +33,8 @@ struct WallCoordinates {
 
 class TestFunctionBalance {
  public:
-  TestFunctionBalance(const problem::System& system, const Excitation& excitation,
-                      problem::ImpactCondition impact, const Grid& grid, int scheme_order)
+  TestFunctionBalance(const problem::System& system, const DiscreteExcitation& excitation,
+                      problem::ImpactCondition impact, const PhasePlaneGrid& grid, int scheme_order)
       : system_(system),
         excitation_(excitation),
         impact_(impact),
@@ -71,10 +71,10 @@ class TestFunctionBalance {
 
  private:
   Eigen::Map<const Eigen::MatrixXd> velocity_columns(const Eigen::VectorXd& cell_averages) const {
-    return {cell_averages.data(), grid_.nv(), grid_.nx()};
+    return {cell_averages.data(), grid_.v_cell_count(), grid_.nx()};
   }
   Eigen::Map<Eigen::MatrixXd> velocity_columns(Eigen::VectorXd& cell_averages) const {
-    return {cell_averages.data(), grid_.nv(), grid_.nx()};
+    return {cell_averages.data(), grid_.v_cell_count(), grid_.nx()};
   }
 
   double force_minus_drift(double x, double v) const {
@@ -91,7 +91,7 @@ class TestFunctionBalance {
       for (int a = 0; a < kPoints; ++a) {
         const double x = quadrature_node(grid_.x1, i, a);
         double of_column = 0;
-        for (int j = 0; j < grid_.nv(); ++j) {
+        for (int j = 0; j < grid_.v_cell_count(); ++j) {
           double of_cell = 0;
           for (int b = 0; b < kPoints; ++b) {
             of_cell += kWeights[b] * p(j * kPoints + b, i * kPoints + a) *
@@ -108,7 +108,7 @@ class TestFunctionBalance {
   // Returns the rate of change of E[h] due to impacts at the second wall, `other`.
   double mean_gain_at_wall(const problem::Wall& other, AxisEnd end, const WallCoordinates& from,
                            const WallTestFunction& h, const Eigen::VectorXd& cell_averages) const {
-    const int half = grid_.nv() / 2;
+    const int half = grid_.v_cell_count() / 2;
     const AxisOperator to_wall = end_value_operator(grid_.x1, end, order_);
     const Eigen::VectorXd p =
         point_value_operator(grid_.x2, averaging_stencil_size(order_), kFractions, half) *
@@ -136,23 +136,24 @@ class TestFunctionBalance {
   }
 
   const problem::System& system_;
-  const Excitation& excitation_;
+  const DiscreteExcitation& excitation_;
   problem::ImpactCondition impact_;
-  const Grid& grid_;
+  const PhasePlaneGrid& grid_;
   int order_;
   AxisOperator of_x1_, of_x2_;
 };
 
 }  // namespace
 
-double impact_rate(const problem::System& system, const Excitation& excitation,
-                   problem::ImpactCondition impact, const Grid& grid,
+double impact_rate(const problem::System& system, const DiscreteExcitation& excitation,
+                   problem::ImpactCondition impact, const PhasePlaneGrid& grid,
                    const Eigen::VectorXd& cell_averages, const Eigen::VectorXd& change,
                    int scheme_order) {
   std::optional<TestFunctionBalance> balance;
   const auto of = [&](const std::optional<problem::Wall>& wall, AxisEnd end) {
     if (!wall) return 0.0;
-    // The test function needs uniform excitation and a constant restitution.
+    // The test function of the impact rate needs a uniform excitation and a constant restitution
+    // coefficient.
     const bool has_test_function =
         excitation.is_state_independent() && system.has_constant_restitution();
     if (excitation.diffusion == 0 || !has_dissipative_impacts(*wall) || !has_test_function)
@@ -163,7 +164,7 @@ double impact_rate(const problem::System& system, const Excitation& excitation,
   return of(system.left_wall(), AxisEnd::left) + of(system.right_wall(), AxisEnd::right);
 }
 
-double flux_into_walls(const problem::System& system, const Grid& grid,
+double flux_into_walls(const problem::System& system, const PhasePlaneGrid& grid,
                        const Eigen::VectorXd& cell_averages, int scheme_order) {
   return (system.left_wall() ? wall_speed_moment(grid, cell_averages, scheme_order, 1) : 0) +
          (system.right_wall()

@@ -14,10 +14,10 @@ namespace fpkcheck::fd_fpk {
 /// the flux into the wall, int_{v<0} |v| p(0, v) dv.
 ///
 /// Under white noise with losses, p(0, v) is proportional to |v|^-beta (exact::wall_exponent). Cell
-/// averages do not resolve the singularity |v|^-beta: the flux converges only with the power 2 -
-/// beta of the narrowest cell width. The impact rate follows instead from the balance (Dynkin's
-/// formula) of a test function h, which every impact increases by an equal amount
-/// (wall_test_function.hpp):
+/// averages do not resolve the singularity |v|^-beta of the density: the flux into the wall
+/// converges only with the power 2 - beta of the narrowest cell width. The impact rate follows
+/// instead from the balance (Dynkin's formula) of a test function h, which every impact increases
+/// by an equal amount (wall_test_function.hpp):
 ///
 ///     (pi / sqrt 3 + log r) rate = E[F h_v - F_0 f_v] - <h, S p> + d/dt E[h]
 ///                                  - int u p(b, u) [h(b, -r_b u) - h(b, u)] du,
@@ -32,14 +32,14 @@ namespace fpkcheck::fd_fpk {
 ///
 /// @param excitation excitation on the x2 axis of the grid, as in the operator of this density
 /// @param rate_of_change rate of change of the averages; 0 for a stationary density
-double impact_rate(const problem::System& system, const Excitation& excitation,
-                   problem::ImpactCondition impact, const Grid& grid,
+double impact_rate(const problem::System& system, const DiscreteExcitation& excitation,
+                   problem::ImpactCondition impact, const PhasePlaneGrid& grid,
                    const Eigen::VectorXd& cell_averages, const Eigen::VectorXd& rate_of_change,
                    int scheme_order);
 
 /// Returns the flux of probability into the walls, extrapolated from cell averages by the stencils
-/// of the Fokker-Planck operator. The density must be bounded at the walls.
-double flux_into_walls(const problem::System& system, const Grid& grid,
+/// of the Fokker-Planck operator. Precondition: the density is bounded at the walls.
+double flux_into_walls(const problem::System& system, const PhasePlaneGrid& grid,
                        const Eigen::VectorXd& cell_averages, int scheme_order);
 
 }  // namespace fpkcheck::fd_fpk

@@ -23,18 +23,18 @@ numerics::Polynomial monomial(int power, double factor = 1) {
 }
 
 // Returns the integral of the polynomial `weight` times a marginal density given by cell averages.
-double integrate_marginal(const Axis& axis, const Eigen::VectorXd& marginal, int scheme_order,
+double integrate_marginal(const GridAxis& axis, const Eigen::VectorXd& marginal, int scheme_order,
                           const numerics::Polynomial& weight) {
   return axis.cell_widths().dot(
       weighted_average_operator(axis, averaging_stencil_size(scheme_order), weight) * marginal);
 }
 
 // Returns the integral of a polynomial of x1 times a polynomial of x2 times the joint density.
-double integrate_joint_density(const Grid& grid, const Eigen::VectorXd& cell_averages,
+double integrate_joint_density(const PhasePlaneGrid& grid, const Eigen::VectorXd& cell_averages,
                                int scheme_order, const numerics::Polynomial& of_x1,
                                const numerics::Polynomial& of_x2) {
   const int points = averaging_stencil_size(scheme_order);
-  const Eigen::Map<const Eigen::MatrixXd> p(cell_averages.data(), grid.nv(), grid.nx());
+  const Eigen::Map<const Eigen::MatrixXd> p(cell_averages.data(), grid.v_cell_count(), grid.nx());
   const Eigen::RowVectorXd v =
       grid.x2.cell_widths().transpose() * weighted_average_operator(grid.x2, points, of_x2);
   const Eigen::RowVectorXd x =
@@ -45,27 +45,29 @@ double integrate_joint_density(const Grid& grid, const Eigen::VectorXd& cell_ave
 // Returns the integral of a function of x1 and x2 times the joint density, by Gauss points in the
 // cells. Where the force jumps at x2 = 0, the density has a kink, which no stencil may cross.
 template <class Function>
-double integrate_function(const problem::System& system, const Grid& grid,
+double integrate_function(const problem::System& system, const PhasePlaneGrid& grid,
                           const Eigen::VectorXd& cell_averages, int scheme_order,
                           const Function& f) {
   using Gauss = boost::math::quadrature::gauss<double, 3>;
-  // Nodes and weights of the rule with three points, on the unit interval.
+  // Nodes and weights of Gauss's rule with three points on the unit interval.
   const double end = Gauss::abscissa()[1] / 2;
   const std::array fractions{0.5 - end, 0.5, 0.5 + end};
   const std::array weights{Gauss::weights()[1] / 2, Gauss::weights()[0] / 2,
                            Gauss::weights()[1] / 2};
   const int points = averaging_stencil_size(scheme_order);
-  const auto barrier = system.has_force_jumps_in_v() ? std::optional(grid.nv() / 2) : std::nullopt;
+  const auto barrier =
+      system.has_force_jumps_in_v() ? std::optional(grid.v_cell_count() / 2) : std::nullopt;
   const AxisOperator of_x1 = point_value_operator(grid.x1, points, fractions),
                      of_x2 = point_value_operator(grid.x2, points, fractions, barrier);
   const Eigen::MatrixXd p =
-      of_x2 * Eigen::Map<const Eigen::MatrixXd>(cell_averages.data(), grid.nv(), grid.nx()) *
+      of_x2 *
+      Eigen::Map<const Eigen::MatrixXd>(cell_averages.data(), grid.v_cell_count(), grid.nx()) *
       of_x1.transpose();
-  const auto place = [&](const Axis& axis, Eigen::Index n) {
+  const auto place = [&](const GridAxis& axis, Eigen::Index n) {
     const auto cell = static_cast<int>(n / 3);
     return axis.face_position(cell) + fractions[n % 3] * axis.cell_width(cell);
   };
-  const auto weight = [&](const Axis& axis, Eigen::Index n) {
+  const auto weight = [&](const GridAxis& axis, Eigen::Index n) {
     return weights[n % 3] * axis.cell_width(static_cast<int>(n / 3));
   };
   double sum = 0;
@@ -79,7 +81,7 @@ double integrate_function(const problem::System& system, const Grid& grid,
   return sum;
 }
 
-Eigen::VectorXd normal_cell_averages(const Axis& axis, double deviation, double centre) {
+Eigen::VectorXd normal_cell_averages(const GridAxis& axis, double deviation, double centre) {
   const auto cdf = [&](double x) { return numerics::normal_probability((x - centre) / deviation); };
   Eigen::VectorXd cell_averages(axis.cell_count());
   for (int i = 0; i < axis.cell_count(); ++i)
@@ -89,15 +91,15 @@ Eigen::VectorXd normal_cell_averages(const Axis& axis, double deviation, double 
 
 }  // namespace
 
-Marginals marginals(const Grid& grid, const Eigen::VectorXd& cell_averages) {
+MarginalCellAverages marginals(const PhasePlaneGrid& grid, const Eigen::VectorXd& cell_averages) {
   // Column i of the matrix p contains the velocity cells at cell i of x1.
-  const Eigen::Map<const Eigen::MatrixXd> p(cell_averages.data(), grid.nv(), grid.nx());
+  const Eigen::Map<const Eigen::MatrixXd> p(cell_averages.data(), grid.v_cell_count(), grid.nx());
   return {p.transpose() * grid.x2.cell_widths(), p * grid.x1.cell_widths()};
 }
 
-transform::Moments moments(const Grid& grid, const Eigen::VectorXd& cell_averages,
+transform::Moments moments(const PhasePlaneGrid& grid, const Eigen::VectorXd& cell_averages,
                            int scheme_order) {
-  const Marginals of_cells = marginals(grid, cell_averages);
+  const MarginalCellAverages of_cells = marginals(grid, cell_averages);
   const auto of_y = [&](int n) {
     return integrate_marginal(grid.x1, of_cells.y, scheme_order, monomial(n));
   };
@@ -107,7 +109,7 @@ transform::Moments moments(const Grid& grid, const Eigen::VectorXd& cell_average
   return {.y1 = of_y(1), .y2 = of_y(2), .y4 = of_y(4), .v1 = of_v(1), .v2 = of_v(2), .v4 = of_v(4)};
 }
 
-transform::Moments physical_moments(const problem::WallFrame& frame, const Grid& grid,
+transform::Moments physical_moments(const problem::WallFrame& frame, const PhasePlaneGrid& grid,
                                     const Eigen::VectorXd& cell_averages, int scheme_order) {
   transform::Moments result = moments(grid, cell_averages, scheme_order);
   if (frame.is_identity()) return result;
@@ -117,12 +119,12 @@ transform::Moments physical_moments(const problem::WallFrame& frame, const Grid&
   const auto of_y = [&](const numerics::Polynomial::Coefficients& monomial_of_y) {
     return integrate_marginal(
         grid.x1, y, scheme_order,
-        numerics::Polynomial(monomial_of_y).compose_affine(frame.origin, frame.sign()));
+        numerics::Polynomial(monomial_of_y).compose_affine(frame.origin, frame.velocity_sign()));
   };
   result.y1 = of_y(y1);
   result.y2 = of_y(y2);
   result.y4 = of_y(y4);
-  result.v1 *= frame.sign();
+  result.v1 *= frame.velocity_sign();
   return result;
 }
 
@@ -131,13 +133,14 @@ namespace {
 // Returns the moments n = 0 .. 4 of the missing mass beyond an end of an axis, int_0^inf |x + t|^n
 // p e^(-s t) dt, with the coordinate x = end_coordinate of the end. The slope and the curvature of
 // the logarithm of the marginal density determine the density p at the end and the decay rate s.
-// Slope and curvature are fitted from 0.6 to 0.2 of the distance between the end and the mean.
-// Cells nearer to the end lack mass. Under white noise the returned moments contain a factor of 2
-// for the motion that returns from outside the box. Under impulses, the box also lacks the return
-// path of motion that would have left the box, with the density p V / v.
-std::array<double, 5> missing_marginal_moments(const Axis& axis, const Eigen::VectorXd& marginal,
-                                               bool at_right_end, double end_coordinate,
-                                               bool has_impulses) {
+// The fit of slope and curvature uses cells at 0.2 to 0.6 of the distance from the end to the mean,
+// since cells nearer to the end lack mass. Under white noise the returned moments contain a factor
+// of 2 for the motion that returns from outside the computational box. Under impulses, the
+// computational box also lacks the return path of motion that would have left the computational
+// box, with the density p V / v.
+std::array<double, 5> missing_marginal_moments(const GridAxis& axis,
+                                               const Eigen::VectorXd& marginal, bool at_right_end,
+                                               double end_coordinate, bool has_impulses) {
   const double end = at_right_end ? axis.faces().back() : axis.faces().front();
   const double mean =
       integrate_marginal(axis, marginal, 1, monomial(1)) / axis.cell_widths().dot(marginal);
@@ -177,14 +180,14 @@ std::array<double, 5> missing_marginal_moments(const Axis& axis, const Eigen::Ve
 
 }  // namespace
 
-transform::Moments moments_outside_box(const problem::Problem& problem, const Grid& grid,
+transform::Moments moments_outside_box(const problem::Problem& problem, const PhasePlaneGrid& grid,
                                        const Eigen::VectorXd& cell_averages,
                                        const transform::Moments& moments_in_box) {
   const auto [y, v] = marginals(grid, cell_averages);
   transform::Moments beyond;
   for (const bool last : {false, true}) {
     const auto of_v =
-        missing_marginal_moments(grid.x2, v, last, grid.x2_max(), problem.impulses.is_present());
+        missing_marginal_moments(grid.x2, v, last, grid.x2_max(), problem.impulses.is_acting());
     beyond.v1 += of_v[1];
     beyond.v2 += of_v[2];
     beyond.v4 += of_v[4];
@@ -195,7 +198,8 @@ transform::Moments moments_outside_box(const problem::Problem& problem, const Gr
       continue;
     const double end = problem.frame.physical_y(last ? grid.x1_max() : grid.x1_min());
     const auto of_y = missing_marginal_moments(grid.x1, y, last, end, false);
-    // If mass at large velocities is missing, mass at large displacements is missing too.
+    // If a density lacks mass at large velocities, the density also lacks mass at large
+    // displacements.
     const double second = beyond.v2 / moments_in_box.v2 / 2,
                  fourth = beyond.v4 / moments_in_box.v4 / 2;
     beyond.y1 += of_y[1] + second * std::abs(moments_in_box.y1);
@@ -205,12 +209,13 @@ transform::Moments moments_outside_box(const problem::Problem& problem, const Gr
   return beyond;
 }
 
-Eigen::VectorXd multiply_by_coordinate(const Grid& grid, const Eigen::VectorXd& cell_averages,
+Eigen::VectorXd multiply_by_coordinate(const PhasePlaneGrid& grid,
+                                       const Eigen::VectorXd& cell_averages,
                                        transform::StateVariable coordinate, int scheme_order) {
   const int points = averaging_stencil_size(scheme_order);
-  const Eigen::Map<const Eigen::MatrixXd> p(cell_averages.data(), grid.nv(), grid.nx());
+  const Eigen::Map<const Eigen::MatrixXd> p(cell_averages.data(), grid.v_cell_count(), grid.nx());
   Eigen::VectorXd product(cell_averages.size());
-  Eigen::Map<Eigen::MatrixXd> to(product.data(), grid.nv(), grid.nx());
+  Eigen::Map<Eigen::MatrixXd> to(product.data(), grid.v_cell_count(), grid.nx());
   if (coordinate == transform::StateVariable::y) {
     to = p * weighted_average_operator(grid.x1, points, monomial(1)).transpose();
   } else {
@@ -219,8 +224,8 @@ Eigen::VectorXd multiply_by_coordinate(const Grid& grid, const Eigen::VectorXd& 
   return product;
 }
 
-Eigen::VectorXd coordinate_functional(const Grid& grid, transform::StateVariable coordinate,
-                                      int scheme_order) {
+Eigen::VectorXd coordinate_functional(const PhasePlaneGrid& grid,
+                                      transform::StateVariable coordinate, int scheme_order) {
   const int points = averaging_stencil_size(scheme_order);
   Eigen::VectorXd of_x1 = grid.x1.cell_widths(), of_x2 = grid.x2.cell_widths();
   if (coordinate == transform::StateVariable::y) {
@@ -232,18 +237,19 @@ Eigen::VectorXd coordinate_functional(const Grid& grid, transform::StateVariable
   return Eigen::Map<const Eigen::VectorXd>(weights.data(), weights.size());
 }
 
-double physical_mixed_moment(const problem::WallFrame& frame, const Grid& grid,
+double physical_mixed_moment(const problem::WallFrame& frame, const PhasePlaneGrid& grid,
                              const Eigen::VectorXd& cell_averages, int scheme_order) {
   const numerics::Polynomial y =
-      numerics::Polynomial({0, 1}).compose_affine(frame.origin, frame.sign());
-  return frame.sign() * integrate_joint_density(grid, cell_averages, scheme_order, y, monomial(1));
+      numerics::Polynomial({0, 1}).compose_affine(frame.origin, frame.velocity_sign());
+  return frame.velocity_sign() *
+         integrate_joint_density(grid, cell_averages, scheme_order, y, monomial(1));
 }
 
-double mean_energy(const problem::EffectivePotential& spring_potential, const Grid& grid,
+double mean_energy(const problem::EffectivePotential& spring_potential, const PhasePlaneGrid& grid,
                    const Eigen::VectorXd& cell_averages, int scheme_order) {
   const auto [y, v] = marginals(grid, cell_averages);
   const double kinetic = integrate_marginal(grid.x2, v, scheme_order, monomial(2, 0.5));
-  if (const numerics::Polynomial* polynomial = spring_potential.polynomial()) {
+  if (const numerics::Polynomial* polynomial = spring_potential.polynomial_or_null()) {
     return kinetic + integrate_marginal(grid.x1, y, scheme_order, *polynomial);
   }
   const WeightedAverages of_x1(grid.x1, averaging_stencil_size(scheme_order));
@@ -256,10 +262,10 @@ namespace {
 
 // Returns the integral of weight(v) p(a, v) over velocities v into a wall, with the matrix of the
 // weighted averages on the axis of v.
-double wall_integral(const Grid& grid, const Eigen::VectorXd& cell_averages, int scheme_order,
-                     const AxisOperator& weighted, AxisEnd end) {
-  const Eigen::Map<const Eigen::MatrixXd> p(cell_averages.data(), grid.nv(), grid.nx());
-  const int half = grid.nv() / 2;
+double wall_integral(const PhasePlaneGrid& grid, const Eigen::VectorXd& cell_averages,
+                     int scheme_order, const AxisOperator& weighted, AxisEnd end) {
+  const Eigen::Map<const Eigen::MatrixXd> p(cell_averages.data(), grid.v_cell_count(), grid.nx());
+  const int half = grid.v_cell_count() / 2;
   const Eigen::VectorXd wall = p * end_value_operator(grid.x1, end, scheme_order).transpose();
   const int first = end == AxisEnd::left ? 0 : half;
   return grid.x2.cell_widths().segment(first, half).dot((weighted * wall).segment(first, half));
@@ -267,20 +273,22 @@ double wall_integral(const Grid& grid, const Eigen::VectorXd& cell_averages, int
 
 }  // namespace
 
-double wall_speed_moment(const Grid& grid, const Eigen::VectorXd& cell_averages, int scheme_order,
-                         int speed_exponent, AxisEnd end) {
+double wall_speed_moment(const PhasePlaneGrid& grid, const Eigen::VectorXd& cell_averages,
+                         int scheme_order, int speed_exponent, AxisEnd end) {
   // The monomial equals |v|^speed_exponent for velocities into the wall.
   const bool is_negative = end == AxisEnd::left && speed_exponent % 2 == 1;
-  return wall_integral(
-      grid, cell_averages, scheme_order,
-      weighted_average_operator(grid.x2, averaging_stencil_size(scheme_order),
-                                monomial(speed_exponent, is_negative ? -1 : 1), grid.nv() / 2),
-      end);
+  return wall_integral(grid, cell_averages, scheme_order,
+                       weighted_average_operator(grid.x2, averaging_stencil_size(scheme_order),
+                                                 monomial(speed_exponent, is_negative ? -1 : 1),
+                                                 grid.v_cell_count() / 2),
+                       end);
 }
 
-double sum_over_impacts(const Grid& grid, const Eigen::VectorXd& cell_averages, int scheme_order,
-                        const std::function<double(double)>& weight, AxisEnd end) {
-  const WeightedAverages of_x2(grid.x2, averaging_stencil_size(scheme_order), grid.nv() / 2);
+double sum_over_impacts(const PhasePlaneGrid& grid, const Eigen::VectorXd& cell_averages,
+                        int scheme_order, const std::function<double(double)>& weight,
+                        AxisEnd end) {
+  const WeightedAverages of_x2(grid.x2, averaging_stencil_size(scheme_order),
+                               grid.v_cell_count() / 2);
   return wall_integral(
       grid, cell_averages, scheme_order,
       of_x2.weighted_average_matrix([&](double v) { return std::abs(v) * weight(std::abs(v)); }),
@@ -288,7 +296,7 @@ double sum_over_impacts(const Grid& grid, const Eigen::VectorXd& cell_averages, 
 }
 
 double mean_damping_power(const problem::System& system, const transform::Moments& moments,
-                          const Grid& grid, const Eigen::VectorXd& cell_averages,
+                          const PhasePlaneGrid& grid, const Eigen::VectorXd& cell_averages,
                           int scheme_order) {
   if (system.has_constant_damping()) return system.damping() * moments.v2;
   if (!system.has_polynomial_force()) {
@@ -301,7 +309,7 @@ double mean_damping_power(const problem::System& system, const transform::Moment
          system.rayleigh_coefficient() * moments.v4;
 }
 
-double mean_absolute_damping_power(const problem::System& system, const Grid& grid,
+double mean_absolute_damping_power(const problem::System& system, const PhasePlaneGrid& grid,
                                    const Eigen::VectorXd& cell_averages, int scheme_order) {
   return integrate_function(system, grid, cell_averages, scheme_order, [&](double x1, double x2) {
     return std::abs(x2 * system.damping_force(x1, x2));
@@ -310,7 +318,8 @@ double mean_absolute_damping_power(const problem::System& system, const Grid& gr
 
 problem::PowerBalanceTerms power_balance_terms(const problem::Problem& problem,
                                                problem::ImpactCondition impact,
-                                               const transform::Moments& moments, const Grid& grid,
+                                               const transform::Moments& moments,
+                                               const PhasePlaneGrid& grid,
                                                const Eigen::VectorXd& cell_averages,
                                                int scheme_order) {
   const problem::System& system = problem.system;
@@ -327,7 +336,7 @@ problem::PowerBalanceTerms power_balance_terms(const problem::Problem& problem,
   if (problem.noise_factor) {
     terms.mean_square_noise_factor = integrate_function(
         system, grid, cell_averages, scheme_order,
-        [&](double x1, double x2) { return problem.noise_factor->squared(x1, x2); });
+        [&](double x1, double x2) { return problem.noise_factor->squared_factor(x1, x2); });
   }
   if (problem.impulse_factor) {
     terms.mean_square_impulse_factor = integrate_function(
@@ -339,14 +348,15 @@ problem::PowerBalanceTerms power_balance_terms(const problem::Problem& problem,
 }
 
 double power_balance_residual(const problem::Problem& problem, problem::ImpactCondition impact,
-                              const Grid& grid, const Eigen::VectorXd& cell_averages,
+                              const PhasePlaneGrid& grid, const Eigen::VectorXd& cell_averages,
                               int scheme_order) {
   return problem::power_balance_residual(
       problem, power_balance_terms(problem, impact, moments(grid, cell_averages, scheme_order),
                                    grid, cell_averages, scheme_order));
 }
 
-transform::BalanceResiduals balance_residuals(const problem::Problem& problem, const Grid& grid,
+transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
+                                              const PhasePlaneGrid& grid,
                                               const Eigen::VectorXd& cell_averages,
                                               int scheme_order, const WallMomentumTransfer& walls) {
   const auto [y, v] = marginals(grid, cell_averages);
@@ -376,18 +386,19 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem, c
     for_momentum.mean_force = mean([&](double x1, double x2) { return system.force(x1, x2); });
   }
   transform::BalanceResiduals residuals{
-      .virial = problem::virial_balance(problem, for_virial).residual()};
+      .virial = problem::virial_balance(problem, for_virial).relative_residual()};
   for (int i = 0; i < grid.nx(); ++i) {
     for_momentum.mean_absolute_force +=
         y[i] * grid.x1.cell_width(i) * std::abs(system.force(grid.x1.cell_centre(i), 0));
   }
   if (system.left_wall() || system.right_wall() || problem.impulses.rate_times_moment(1) != 0) {
-    residuals.momentum = problem::momentum_balance(problem, for_momentum).residual();
+    residuals.momentum = problem::momentum_balance(problem, for_momentum).relative_residual();
   }
   return residuals;
 }
 
-WallMomentumTransfer wall_momentum_transfer(const problem::System& system, const Grid& grid,
+WallMomentumTransfer wall_momentum_transfer(const problem::System& system,
+                                            const PhasePlaneGrid& grid,
                                             const Eigen::VectorXd& cell_averages,
                                             int scheme_order) {
   const auto momentum = [&](const std::optional<problem::Wall>& wall, AxisEnd end) {
@@ -400,7 +411,8 @@ WallMomentumTransfer wall_momentum_transfer(const problem::System& system, const
           .right = momentum(system.right_wall(), AxisEnd::right)};
 }
 
-BoxEdgeDensity relative_box_edge_density(const problem::MotionScales& scales, const Grid& grid,
+BoxEdgeDensity relative_box_edge_density(const problem::MotionScales& scales,
+                                         const PhasePlaneGrid& grid,
                                          const Eigen::VectorXd& cell_averages) {
   // The peak of a Gaussian density folded to the half-plane is 2 / (2 pi sigma_1 sigma_2).
   const double gaussian_peak =
@@ -409,17 +421,19 @@ BoxEdgeDensity relative_box_edge_density(const problem::MotionScales& scales, co
                           std::min(gaussian_peak, cell_averages.cwiseAbs().maxCoeff()));
 }
 
-Eigen::VectorXd gaussian_cell_averages(const problem::InitialGaussian& gaussian, const Grid& grid) {
+Eigen::VectorXd gaussian_cell_averages(const problem::InitialGaussian& gaussian,
+                                       const PhasePlaneGrid& grid) {
   const Eigen::VectorXd y =
       normal_cell_averages(grid.x1, gaussian.displacement_deviation, gaussian.mean_displacement);
   const Eigen::VectorXd v =
       normal_cell_averages(grid.x2, gaussian.velocity_deviation, gaussian.mean_velocity);
   Eigen::VectorXd cell_averages(grid.size());
-  Eigen::Map<Eigen::MatrixXd>(cell_averages.data(), grid.nv(), grid.nx()) = v * y.transpose();
+  Eigen::Map<Eigen::MatrixXd>(cell_averages.data(), grid.v_cell_count(), grid.nx()) =
+      v * y.transpose();
   return cell_averages / grid.cell_areas().dot(cell_averages);
 }
 
-Eigen::VectorXd initial_gaussian(const Grid& grid, const problem::MotionScales& scales) {
+Eigen::VectorXd initial_gaussian(const PhasePlaneGrid& grid, const problem::MotionScales& scales) {
   return gaussian_cell_averages(
       {scales.displacement_deviation, scales.velocity_deviation, scales.centre}, grid);
 }

@@ -26,14 +26,15 @@ double lagrange_polynomial(double t, int node) {
 }
 
 // Returns the matrix of jumps by b Y, which are jumps by Y on the axis divided by b.
-Eigen::MatrixXd scaled_jump_matrix(const Axis& axis, const problem::ImpulseLaw& law, double b) {
+Eigen::MatrixXd scaled_jump_matrix(const GridAxis& axis, const problem::ImpulseLaw& law, double b) {
   std::vector<double> faces = axis.faces();
   for (double& face : faces) face /= std::abs(b);
-  return jump_matrix(Axis(std::move(faces)), b < 0 ? law.with_negated_amplitudes() : law);
+  return jump_matrix(GridAxis(std::move(faces)), b < 0 ? law.with_negated_amplitudes() : law);
 }
 
 // Returns the smallest and the largest sampled value of the factor on an axis.
-std::pair<double, double> range_of_factor(const problem::StateFunction& factor, const Axis& x1) {
+std::pair<double, double> range_of_factor(const problem::StateFunction& factor,
+                                          const GridAxis& x1) {
   constexpr int kPoints = 8;
   double least = factor(x1.faces().front(), 0), largest = least;
   for (int i = 0; i < x1.cell_count(); ++i) {
@@ -48,8 +49,9 @@ std::pair<double, double> range_of_factor(const problem::StateFunction& factor, 
 
 }  // namespace
 
-std::vector<ExchangeTerm> parametric_exchange_terms(const ParametricImpulses& impulses,
-                                                    const Grid& grid, int weight_stencil_size) {
+std::vector<NonlocalExcitationTerm> parametric_exchange_terms(const ParametricImpulses& impulses,
+                                                              const PhasePlaneGrid& grid,
+                                                              int weight_stencil_size) {
   const problem::ImpulseLaw& law = impulses.train.amplitude_law();
   const double distance = grid.x2.cell_widths().maxCoeff() / std::sqrt(law.moment(2));
   const auto [least, largest] = range_of_factor(impulses.factor, grid.x1);
@@ -64,7 +66,7 @@ std::vector<ExchangeTerm> parametric_exchange_terms(const ParametricImpulses& im
     first = 1;
   }
   const WeightedAverages averages(grid.x1, weight_stencil_size);
-  std::vector<ExchangeTerm> terms;
+  std::vector<NonlocalExcitationTerm> terms;
   for (int node = first; node <= last; ++node) {
     if (node == 0) continue;  // impulses that the factor 0 multiplies change nothing
     AxisOperator of_x1 = averages.weighted_average_matrix([&](double x1) {

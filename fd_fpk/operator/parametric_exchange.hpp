@@ -18,7 +18,8 @@ namespace fpkcheck::fd_fpk {
 /// the cells of x1. The distance between the values b_m makes the jumps differ by about one cell of
 /// x2.
 /// @param weight_stencil_size number of cells in each stencil of x1
-std::vector<ExchangeTerm> parametric_exchange_terms(const ParametricImpulses& impulses,
-                                                    const Grid& grid, int weight_stencil_size);
+std::vector<NonlocalExcitationTerm> parametric_exchange_terms(const ParametricImpulses& impulses,
+                                                              const PhasePlaneGrid& grid,
+                                                              int weight_stencil_size);
 
 }  // namespace fpkcheck::fd_fpk

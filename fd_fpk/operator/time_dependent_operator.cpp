@@ -4,25 +4,25 @@
 
 namespace fpkcheck::fd_fpk {
 TimeDependentOperator::TimeDependentOperator(const problem::Problem& problem,
-                                             const Options& options,
-                                             const Discretisation& discretisation) {
-  const auto operator_of = [&](const Excitation& excitation) {
+                                             const FiniteVolumeOptions& options,
+                                             const PlaneDiscretisation& discretisation) {
+  const auto operator_of = [&](const DiscreteExcitation& excitation) {
     return fokker_planck_operator(problem.system, excitation, options.impact, discretisation.grid,
                                   transport_order(options));
   };
   const auto excitation_of = [&](const problem::Problem& part) {
-    return with_excitation_of(part, options, discretisation).excitation;
+    return discretise_excitation_on_same_grid(part, options, discretisation).excitation;
   };
-  // The operator is linear in the coefficients of the excitation. Each term is therefore the
-  // difference between the operators with and without the excitation of the term.
-  const problem::TimeDependence& time = problem.time;
+  // The operator is linear in the coefficients of the excitation. Each time-dependent term is
+  // therefore the difference between the operators with and without one part of the excitation.
+  const problem::ExcitationTimeDependence& time = problem.time;
   problem::Problem constant = problem;
   if (time.has_rate_factor()) constant = without_impulses(std::move(constant));
   if (time.has_intensity_factor()) constant = without_noise(std::move(constant));
   constant_ = operator_of(excitation_of(constant));
-  if (!time.is_present()) return;
+  if (!time.is_acting()) return;
   const FokkerPlanckOperator motion = operator_of({});
-  const auto add = [&](std::function<double(double)> factor, const Excitation& excitation) {
+  const auto add = [&](std::function<double(double)> factor, const DiscreteExcitation& excitation) {
     FokkerPlanckOperator part = operator_of(excitation);
     part.local = SparseColumnMatrix(part.local - motion.local).pruned();
     terms_.push_back({std::move(factor), std::move(part)});
@@ -35,7 +35,8 @@ TimeDependentOperator::TimeDependentOperator(const problem::Problem& problem,
         excitation_of(without_impulses(problem)));
   }
   if (time.has_external_force()) {
-    add([time](double t) { return time.force(t); }, Excitation{.drift = 1, .exchange = {}});
+    add([time](double t) { return time.external_force(t); },
+        DiscreteExcitation{.drift = 1, .exchange = {}});
   }
 }
 
@@ -49,13 +50,15 @@ Eigen::VectorXd TimeDependentOperator::apply_at_time(double t,
   return change;
 }
 
-Excitation excitation_at_time(const problem::Problem& problem, const Options& options,
-                              const Discretisation& discretisation, double t) {
-  if (!problem.time.is_present()) return discretisation.excitation;
-  Excitation excitation =
-      with_excitation_of(problem::with_excitation_at_time(problem, t), options, discretisation)
+DiscreteExcitation excitation_at_time(const problem::Problem& problem,
+                                      const FiniteVolumeOptions& options,
+                                      const PlaneDiscretisation& discretisation, double t) {
+  if (!problem.time.is_acting()) return discretisation.excitation;
+  DiscreteExcitation excitation =
+      discretise_excitation_on_same_grid(problem::with_excitation_at_time(problem, t), options,
+                                         discretisation)
           .excitation;
-  excitation.drift += problem.time.force(t);
+  excitation.drift += problem.time.external_force(t);
   return excitation;
 }
 

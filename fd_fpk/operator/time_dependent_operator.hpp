@@ -15,12 +15,12 @@ namespace fpkcheck::fd_fpk {
 ///
 ///     L(t) = L_0 + a(t) L_impulses + b(t) L_noise - F(t) d/dv,
 ///
-/// with the factors a and b and the force F of problem::TimeDependence. For a constant excitation
-/// L(t) is the operator of fokker_planck_operator().
+/// with the factors a and b and the force F of problem::ExcitationTimeDependence. For a constant
+/// excitation L(t) is the operator of fokker_planck_operator().
 class TimeDependentOperator {
  public:
-  TimeDependentOperator(const problem::Problem& problem, const Options& options,
-                        const Discretisation& discretisation);
+  TimeDependentOperator(const problem::Problem& problem, const FiniteVolumeOptions& options,
+                        const PlaneDiscretisation& discretisation);
 
   /// Returns L(t) P for cell averages P.
   Eigen::VectorXd apply_at_time(double t, const Eigen::VectorXd& cell_averages) const;
@@ -40,7 +40,8 @@ class TimeDependentOperator {
 };
 
 /// Returns the excitation at the time t, with the drift of the force F(t).
-Excitation excitation_at_time(const problem::Problem& problem, const Options& options,
-                              const Discretisation& discretisation, double t);
+DiscreteExcitation excitation_at_time(const problem::Problem& problem,
+                                      const FiniteVolumeOptions& options,
+                                      const PlaneDiscretisation& discretisation, double t);
 
 }  // namespace fpkcheck::fd_fpk

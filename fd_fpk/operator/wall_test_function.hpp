@@ -17,11 +17,10 @@ namespace fpkcheck::fd_fpk {
 ///     chi'' = phi' - s theta / 3.
 ///
 /// At the wall f is log|v| plus a constant that depends on the sign of v. The difference f(0, u) -
-/// f(0, -u) is pi / sqrt 3, the integral of phi' over all s. The function f_1 is proportional to
-/// |v| at the wall. The function f_1 contains a multiple of v, a homogeneous solution, such that
-/// f_1(0, r u) = f_1(0, -u). An impact therefore increases h by pi / sqrt 3 + log r. The increase
-/// of h is 0 at the restitution coefficient below which impacts accumulate
-/// (problem::kCollapseRestitution).
+/// f(0, -u) is pi / sqrt 3, the integral of phi' over all s. At the wall the function f_1 is
+/// proportional to |v|, plus a multiple of v (a homogeneous solution) with which f_1(0, r u) =
+/// f_1(0, -u). An impact therefore increases h by pi / sqrt 3 + log r. The increase of h is 0 at
+/// the restitution coefficient below which impacts accumulate (problem::kCollapseRestitution).
 ///
 /// With a variable force F, the test function h satisfies the backward equation up to the remainder
 /// F h_v - F_0 f_v, which is bounded at the wall.

@@ -15,14 +15,16 @@ double round_up_to_three_digits(double length) {
   return std::ceil(length / digit) * digit;
 }
 
-// Returns the fastest growing wave over all cell widths of the axis. The excitation may be unstable
-// on wide cells and stable on narrow cells.
-FastestGrowingWave fastest_growing_wave(const problem::Problem& problem, const Options& options,
-                                        const Discretisation& discretisation) {
-  const Axis& x2 = discretisation.grid.x2;
-  Options as_used = options;
+// Returns the fastest growing wave over all cell widths of the axis. The discrete excitation may be
+// unstable on wide velocity cells and stable on narrow velocity cells.
+FastestGrowingWave fastest_growing_wave(const problem::Problem& problem,
+                                        const FiniteVolumeOptions& options,
+                                        const PlaneDiscretisation& discretisation) {
+  const GridAxis& x2 = discretisation.grid.x2;
+  FiniteVolumeOptions as_used = options;
   std::vector<double> widths;
-  // Only the excitation of km4 may be unstable; the Pade approximant is always stable.
+  // Only the discrete excitation of the equation `km4` may be unstable; the Pade approximant is
+  // always stable.
   if (options.equation == DensityEquation::km4) {
     as_used.regularisation_length = discretisation.regularisation_length;
     widths = possibly_unstable_cell_widths(x2, problem.impulses.amplitude_law(),
@@ -36,7 +38,7 @@ FastestGrowingWave fastest_growing_wave(const problem::Problem& problem, const O
   return largest;
 }
 
-std::string regularisation_advice(const problem::ImpulseTrain& impulses, const Axis& axis,
+std::string regularisation_advice(const problem::ImpulseTrain& impulses, const GridAxis& axis,
                                   int points) {
   constexpr double kNearly = 0.99;
   const auto& law = impulses.amplitude_law();
@@ -57,21 +59,22 @@ std::string regularisation_advice(const problem::ImpulseTrain& impulses, const A
 
 }  // namespace
 
-FastestGrowingWave fastest_growing_wave(const problem::Problem& problem, const Options& options,
-                                        double cell_width) {
+FastestGrowingWave fastest_growing_wave(const problem::Problem& problem,
+                                        const FiniteVolumeOptions& options, double cell_width) {
   const auto [axis, excitation] = unbounded_axis_excitation(problem, options, cell_width);
   return fastest_growing_wave(axis, excitation, centred_stencil_size(transport_order(options)));
 }
 
-WellPosednessCheck check_well_posedness(const problem::Problem& problem, const Options& options,
-                                        const Discretisation& discretisation) {
+WellPosednessCheck check_well_posedness(const problem::Problem& problem,
+                                        const FiniteVolumeOptions& options,
+                                        const PlaneDiscretisation& discretisation) {
   if (options.equation != DensityEquation::km4 && options.equation != DensityEquation::km4_pade)
     return {};
   const auto& impulses = problem.impulses;
-  if (!impulses.is_present()) return {};
+  if (!impulses.is_acting()) return {};
   WellPosednessCheck result{.growth = fastest_growing_wave(problem, options, discretisation),
                             .ill_posed_reason = {}};
-  if (!is_unstable(result.growth, impulses)) return result;
+  if (!is_growing_wave(result.growth, impulses)) return result;
   result.ill_posed_reason = fmt::format(
       "the series truncated after the fourth derivative is ill-posed: with a fourth difference of "
       "step {2:.3g} waves grow at rate {0:.3g} at wavenumber {1:.3g}; {3}",

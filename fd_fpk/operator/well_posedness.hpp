@@ -15,11 +15,12 @@ struct WellPosednessCheck {
   /// Reason why the scheme is ill-posed, and what to do; empty for a well-posed scheme
   std::string ill_posed_reason;
 };
-WellPosednessCheck check_well_posedness(const problem::Problem& problem, const Options& options,
-                                        const Discretisation& discretisation);
+WellPosednessCheck check_well_posedness(const problem::Problem& problem,
+                                        const FiniteVolumeOptions& options,
+                                        const PlaneDiscretisation& discretisation);
 
 /// Returns the fastest growing wave of the excitation on velocity cells of the given width.
-FastestGrowingWave fastest_growing_wave(const problem::Problem& problem, const Options& options,
-                                        double cell_width);
+FastestGrowingWave fastest_growing_wave(const problem::Problem& problem,
+                                        const FiniteVolumeOptions& options, double cell_width);
 
 }  // namespace fpkcheck::fd_fpk

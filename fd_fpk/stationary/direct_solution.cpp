@@ -17,19 +17,20 @@ namespace {
 // Largest accepted ratio of the residual after GMRES to the residual of the initial density.
 constexpr double kLeastReduction = 1e-4;
 
-DirectSolution solve_on_grid(const problem::Problem& problem, const problem::MotionScales& scales,
-                             const Options& options, const Box& box,
-                             const base::Deadline& deadline) {
-  Discretisation discretisation = discretise(problem, options, box);
+DirectStationarySolution solve_on_grid(const problem::Problem& problem,
+                                       const problem::MotionScales& scales,
+                                       const FiniteVolumeOptions& options, const PhasePlaneBox& box,
+                                       const base::Deadline& deadline) {
+  PlaneDiscretisation discretisation = discretise_density_equation(problem, options, box);
   if (!discretisation.failure.empty()) {
     std::string failure = discretisation.failure;
     return {.discretisation = std::move(discretisation),
             .scales = scales,
             .failure = std::move(failure)};
   }
-  const Grid& grid = discretisation.grid;
-  // The operator and the factors of the preconditioner do not depend on each other.
-  // find_null_vector() reports a failed factorisation.
+  const PhasePlaneGrid& grid = discretisation.grid;
+  // The Fokker-Planck operator and the factors of its preconditioner are independent, and two
+  // threads compute them in parallel. find_null_vector() reports a failed factorisation.
   FokkerPlanckOperator op;
   std::optional<Preconditioner> preconditioner;
   base::parallel_for(2, base::kOneThreadPerProcessor, [&](std::size_t part) {
@@ -59,20 +60,20 @@ DirectSolution solve_on_grid(const problem::Problem& problem, const problem::Mot
           .krylov_seconds = krylov_seconds};
 }
 
-enum class LengthScalesOfBox { given, of_density };
+enum class BoxLengthScaleSource { given, of_density };
 
-// Solves in `box`, whose free ends move outwards until the density at the free ends is negligible.
-// After the deadline, an acceptable density at the ends suffices. With
-// LengthScalesOfBox::of_density the function first sets the length scales of the box to those of
-// the density, since standard deviations overestimate the length scales of a density with several
-// wells or a ring, and too wide cells smooth the tails.
-DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
-                                        const problem::MotionScales& scales, const Options& options,
-                                        const base::Deadline& deadline, Box& box,
-                                        LengthScalesOfBox lengths = LengthScalesOfBox::given) {
+// Solves in the computational box `box`, whose free ends move outwards until the density at the
+// free ends is negligible. After the deadline, an acceptable density at the ends suffices. With
+// BoxLengthScaleSource::of_density the cell widths follow the length scales of the density.
+// Standard deviations overestimate these length scales for a density with several wells or a ring,
+// and wide cells would smooth the tails.
+DirectStationarySolution solve_in_wide_enough_box(
+    const problem::Problem& problem, const problem::MotionScales& scales,
+    const FiniteVolumeOptions& options, const base::Deadline& deadline, PhasePlaneBox& box,
+    BoxLengthScaleSource lengths = BoxLengthScaleSource::given) {
   constexpr double kWidening = 1.15;
   constexpr double kFall = 1.5;
-  // Approximate ratio of the computing times after and before the box is widened
+  // Approximate ratio of the computing times in the widened and in the previous computational box
   constexpr double kTimeRatio = 1.5;
   constexpr int kMostUpdates = 3;
   constexpr double kSame = 0.9;
@@ -80,10 +81,10 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
   BoxEdgeDensity last{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   while (true) {
     const base::Stopwatch stopwatch;
-    DirectSolution direct = solve_on_grid(problem, scales, options, box, deadline);
+    DirectStationarySolution direct = solve_on_grid(problem, scales, options, box, deadline);
     if (!direct.averages || !direct.converged) return direct;
-    if (lengths == LengthScalesOfBox::of_density) {
-      const LengthScales before = std::exchange(
+    if (lengths == BoxLengthScaleSource::of_density) {
+      const DensityLengthScales before = std::exchange(
           box.lengths, fisher_length_scales(problem.system, box, direct.discretisation.grid,
                                             *direct.averages, scales));
       if (box.lengths.x1 < kSame * before.x1 || box.lengths.x2 < kSame * before.x2) {
@@ -93,7 +94,8 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
     }
     const BoxEdgeDensity wall =
         relative_box_edge_density(scales, direct.discretisation.grid, *direct.averages);
-    // A density that does not decrease when the end moves outwards is a discretisation error.
+    // If the density at an end of the computational box does not decrease when the end moves
+    // outwards, this density is a discretisation error.
     const bool widen_x1 =
         !options.x1_max && wall.x1 > options.wall_density && wall.x1 < last.x1 / kFall;
     const bool widen_x2 =
@@ -112,45 +114,49 @@ DirectSolution solve_in_wide_enough_box(const problem::Problem& problem,
       if (widen_x1_low) box.x1_min -= by;
     }
     if (widen_x2) box.x2_max *= kWidening;
-    // For each end, `last` contains the density at the end before the last move of the end.
+    // For each end of the computational box, `last` contains the density at the end before the last
+    // move of the end.
     if (widen_x1) last.x1 = wall.x1;
     if (widen_x2) last.x2 = wall.x2;
     if (widen_x1_low) last.x1_low = wall.x1_low;
   }
 }
 
-bool is_resolved(const problem::Problem& problem, const Options& options,
-                 const DirectSolution& direct) {
+bool is_resolved(const problem::Problem& problem, const FiniteVolumeOptions& options,
+                 const DirectStationarySolution& direct) {
   const Eigen::VectorXd& averages = *direct.averages;
   const double energy = power_balance_residual(problem, options.impact, direct.discretisation.grid,
                                                averages, transport_order(options));
-  return kAutomaticGridLimits.is_density_accepted(averages.minCoeff() / averages.maxCoeff()) &&
-         kAutomaticGridLimits.is_power_residual_accepted(energy);
+  return kAutomaticGridResolutionLimits.is_density_accepted(averages.minCoeff() /
+                                                            averages.maxCoeff()) &&
+         kAutomaticGridResolutionLimits.is_power_residual_accepted(energy);
 }
 
 }  // namespace
 
-Box stationary_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                   const Options& options, const base::Deadline& deadline) {
+PhasePlaneBox stationary_box(const problem::Problem& problem, const problem::MotionScales& scales,
+                             const FiniteVolumeOptions& options, const base::Deadline& deadline) {
   constexpr double kCoarse = 0.5;
-  Box box = initial_box(problem, scales, options);
+  PhasePlaneBox box = initial_box(problem, scales, options);
   const bool are_lengths_needed = !has_linearised_scales(problem);
   if (!options.x1_max || !options.x2_max || are_lengths_needed) {
-    Options coarse = options;
+    FiniteVolumeOptions coarse = options;
     coarse.nx = coarse.nv = std::nullopt;
-    coarse.refinement = kCoarse * kHighOrderWidthFactor;
-    coarse.order = kHighOrder;  // schemes of lower order smooth the tails on a coarse grid
+    coarse.refinement = kCoarse * kCellWidthFactorOfHighOrder;
+    coarse.order =
+        kHighFiniteVolumeOrder;  // schemes of lower order smooth the tails on a coarse grid
     coarse.origin_refinement = 1;
     solve_in_wide_enough_box(
         problem, scales, coarse, deadline, box,
-        are_lengths_needed ? LengthScalesOfBox::of_density : LengthScalesOfBox::given);
+        are_lengths_needed ? BoxLengthScaleSource::of_density : BoxLengthScaleSource::given);
   }
   return box;
 }
 
-DirectSolution compute_direct_solution(const problem::Problem& problem,
-                                       const ScalesAndBox& scales_and_box, const Options& options,
-                                       const base::Deadline& deadline) {
+DirectStationarySolution compute_direct_solution(const problem::Problem& problem,
+                                                 const MotionScalesAndBox& scales_and_box,
+                                                 const FiniteVolumeOptions& options,
+                                                 const base::Deadline& deadline) {
   constexpr int kRefinements = 2;
   // Largest number of cells of a grid that is refined; refining a larger grid takes minutes
   constexpr int kMostCellsRefined = 8000;
@@ -158,13 +164,14 @@ DirectSolution compute_direct_solution(const problem::Problem& problem,
   // Approximate ratio of the computing times on the refined and the previous grid
   constexpr double kTimeRatio = 5;
   const problem::MotionScales& scales = scales_and_box.scales;
-  Box box =
+  PhasePlaneBox box =
       scales_and_box.box ? *scales_and_box.box : stationary_box(problem, scales, options, deadline);
-  Options on_grid = options;
-  std::optional<DirectSolution> coarser;
+  FiniteVolumeOptions on_grid = options;
+  std::optional<DirectStationarySolution> coarser;
   for (int refinement = 0;; ++refinement) {
     const base::Stopwatch stopwatch;
-    DirectSolution direct = solve_in_wide_enough_box(problem, scales, on_grid, deadline, box);
+    DirectStationarySolution direct =
+        solve_in_wide_enough_box(problem, scales, on_grid, deadline, box);
     if (coarser && !direct.averages && deadline.has_passed()) return std::move(*coarser);
     const bool automatic = options.refine_unresolved && !options.nx && !options.nv;
     if (!direct.averages || !direct.converged || !automatic || refinement == kRefinements ||

@@ -13,43 +13,47 @@
 
 namespace fpkcheck::fd_fpk {
 
-struct DirectSolution {
-  Discretisation discretisation;
+struct DirectStationarySolution {
+  PlaneDiscretisation discretisation;
   problem::MotionScales scales;
-  double refinement = 1;         ///< factor Options::refinement of the solution
-  double origin_refinement = 1;  ///< ratio Options::origin_refinement of the solution
+  double refinement = 1;         ///< factor FiniteVolumeOptions::refinement of the solution
+  double origin_refinement = 1;  ///< ratio FiniteVolumeOptions::origin_refinement of the solution
   FokkerPlanckOperator op = {};
   std::optional<Preconditioner> preconditioner = {};
   std::optional<Eigen::VectorXd> averages = {};  ///< cell averages of the null vector, with mass 1
-  /// Whether GMRES reduced the residual of the initial density sufficiently
+  /// Whether GMRES reduced the stationarity residual of the initial density sufficiently
   bool converged = true;
   long krylov_iterations = 0;
   std::string failure = {};  ///< reason why no null vector was found, and what to do
   double krylov_seconds = 0;
 };
 
-/// Properties of a problem that do not depend on the grid.
-struct ScalesAndBox {
+/// Motion scales and computational box of a problem, which do not depend on the grid.
+struct MotionScalesAndBox {
   problem::MotionScales scales;
-  /// Result of stationary_box(); if the box is absent, compute_direct_solution() computes the box
-  std::optional<Box> box = {};
+  /// Computational box by stationary_box(); if absent, compute_direct_solution() computes the
+  /// computational box
+  std::optional<PhasePlaneBox> box = {};
 };
 
-/// Returns the box for the stationary density. Ends of initial_box() that the options leave free
-/// move outwards until the stationary density at the end, computed on coarse grids, is negligible.
-/// Without has_linearised_scales(), the result also contains the length scales of the density.
-Box stationary_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                   const Options& options, const base::Deadline& deadline);
+/// Returns the computational box for the stationary density. Ends of initial_box() that the options
+/// leave free move outwards until the stationary density at the end, computed on coarse grids, is
+/// negligible. For problems without has_linearised_scales(), the returned box also contains the
+/// length scales of the density.
+PhasePlaneBox stationary_box(const problem::Problem& problem, const problem::MotionScales& scales,
+                             const FiniteVolumeOptions& options, const base::Deadline& deadline);
 
-/// Computes the null vector in a box at whose ends the density is negligible, on a grid that
-/// resolves the density. The solver adapts box and grid as far as the options leave box and grid
-/// free. An end of the box with a density above options.wall_density times the peak moves outwards
-/// by 15 %, as long as each move decreases the density at the end. After the deadline an end moves
-/// only if the density at the end exceeds kMaxBoxEdgeDensity, because the solution would otherwise
-/// be rejected. An automatic grid is refined, first at a spike at the origin, while the density
-/// violates kAutomaticGridLimits and the deadline has not passed.
-DirectSolution compute_direct_solution(const problem::Problem& problem,
-                                       const ScalesAndBox& scales_and_box, const Options& options,
-                                       const base::Deadline& deadline);
+/// Computes the null vector in a computational box at whose ends the density is negligible, on a
+/// grid that resolves the density. The solver adapts box and grid as far as the options leave box
+/// and grid free. An end of the computational box with a density above options.wall_density times
+/// the peak moves outwards by 15 %, as long as each move decreases the density at the end. After
+/// the deadline an end moves only if the density at the end exceeds kMaxBoxEdgeDensity, because the
+/// solution would otherwise be rejected. An automatic grid is refined, first at a spike at the
+/// origin, while the density violates kAutomaticGridResolutionLimits and the deadline has not
+/// passed.
+DirectStationarySolution compute_direct_solution(const problem::Problem& problem,
+                                                 const MotionScalesAndBox& scales_and_box,
+                                                 const FiniteVolumeOptions& options,
+                                                 const base::Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

@@ -24,7 +24,8 @@ const transform::GridDensity& grid_density_of(const Solution& solution) {
   return std::get<transform::GridDensity>(*solution.density);
 }
 
-// Merges bins narrower than `width`; a bin next to 0 or at the end may remain narrower.
+// Merges neighbouring bins of a marginal density to bins at least as wide as `width`; a bin next to
+// 0 or at the end may remain narrower.
 std::vector<double> merge_narrow_bins(const std::vector<double>& edges, double width) {
   std::vector<double> kept;
   for (const double edge : edges) {
@@ -42,7 +43,8 @@ std::vector<double> merge_narrow_bins(const std::vector<double>& edges, double w
 // Returns the differences of moments and marginal densities between two solutions, on the cells of
 // the finer grid. Cells narrower than kNarrowest are merged, because the densities of two grids
 // never agree in the narrow cells of a spike.
-transform::GridLevelDifference grid_level_difference(const Result& coarser, const Result& finer) {
+transform::GridLevelDifference grid_level_difference(const FiniteVolumeResult& coarser,
+                                                     const FiniteVolumeResult& finer) {
   constexpr double kNarrowest = 0.02;  // smallest bin width, in units of the root mean square
   const auto& [y_edges, v_edges, averages] = grid_density_of(finer.solution);
   const auto& moments = finer.solution.moments;
@@ -50,7 +52,7 @@ transform::GridLevelDifference grid_level_difference(const Result& coarser, cons
   const double extent = std::min(std::sqrt(moments.y2), y_edges.back() - y_edges.front());
   const auto y = merge_narrow_bins(y_edges, kNarrowest * extent);
   const auto v = merge_narrow_bins(v_edges, kNarrowest * std::sqrt(moments.v2));
-  const auto of = [&](const Result& result) {
+  const auto of = [&](const FiniteVolumeResult& result) {
     transform::GridLevel level = transform::make_grid_level(result.solution, y, v);
     level.impact_rate = result.summary.impact_rate;
     return level;
@@ -58,25 +60,27 @@ transform::GridLevelDifference grid_level_difference(const Result& coarser, cons
   return transform::grid_level_difference(of(coarser), of(finer));
 }
 
-Options with_direct_solver(Options options) {
+FiniteVolumeOptions with_direct_solver(FiniteVolumeOptions options) {
   options.stepper = StationarySolver::direct;
   return options;
 }
 
-Options with_box_ends(Options options, double x1_max, double x2_max) {
+FiniteVolumeOptions with_box_ends(FiniteVolumeOptions options, double x1_max, double x2_max) {
   options.x1_max = x1_max;
   options.x2_max = x2_max;
   return options;
 }
 
-Options with_box_of(const Options& options, const Summary& summary) {
+FiniteVolumeOptions with_box_of(const FiniteVolumeOptions& options,
+                                const FiniteVolumeSummary& summary) {
   return with_box_ends(options, summary.x1_max, summary.x2_max);
 }
 
-// Returns the options with the box and the refinement that the solution used after automatic
-// changes. All grids of an error estimate use the same box, since different boxes would add to the
-// differences of the solutions.
-Options with_used_grid(Options options, const Summary& summary) {
+// Returns the options with the computational box and the refinement that the solution used after
+// automatic changes. All grids of an error estimate use the same box, since different boxes would
+// add to the differences of the solutions.
+FiniteVolumeOptions with_used_grid(FiniteVolumeOptions options,
+                                   const FiniteVolumeSummary& summary) {
   options.refinement = summary.refinement;
   if (options.transport != TransportScheme::characteristics) {
     options.origin_refinement = summary.origin_refinement;
@@ -85,7 +89,7 @@ Options with_used_grid(Options options, const Summary& summary) {
 }
 
 // Along characteristics the order is 2, since the density is linear inside each cell.
-int order_of_convergence(const Options& options) {
+int order_of_convergence(const FiniteVolumeOptions& options) {
   constexpr int kAlongCharacteristics = 2;
   return options.transport == TransportScheme::characteristics ? kAlongCharacteristics
                                                                : transport_order(options);
@@ -95,13 +99,16 @@ double second_moment_error(const Moments& error, const Moments& moments) {
   return std::max(error.y2 / moments.y2, error.v2 / moments.v2);
 }
 
-double largest_error(const ErrorEstimate& error, const Moments& moments) {
+double largest_error(const DiscretisationErrorEstimate& error, const Moments& moments) {
   return std::max({error.y_l1, error.ydot_l1, second_moment_error(error.moments, moments)});
 }
 
-double largest_l1_error(const ErrorEstimate& error) { return std::max(error.y_l1, error.ydot_l1); }
+double largest_l1_error(const DiscretisationErrorEstimate& error) {
+  return std::max(error.y_l1, error.ydot_l1);
+}
 
-void add_error_estimate(Result& fine, const Solution& coarser, const ErrorEstimate& error) {
+void add_error_estimate(FiniteVolumeResult& fine, const Solution& coarser,
+                        const DiscretisationErrorEstimate& error) {
   fine.summary.error = error;
   for (std::size_t k = 0; k < error.rest_probabilities.size(); ++k) {
     fine.solution.atoms[k].error_estimate = error.rest_probabilities[k];
@@ -111,19 +118,19 @@ void add_error_estimate(Result& fine, const Solution& coarser, const ErrorEstima
   }
 }
 
-// Returns the changes of the moments when the box is enlarged; zero without a density in the
-// enlarged box.
-Moments box_truncation_error(const SolveOnOneGrid& solve, const Options& of_cells,
-                             const Result& in_box) {
+// Returns the changes of the moments when the computational box is enlarged; zero without a density
+// in the enlarged computational box.
+Moments box_truncation_error(const SolveOnOneGrid& solve, const FiniteVolumeOptions& of_cells,
+                             const FiniteVolumeResult& in_box) {
   Moments moved;
   const auto& [solution, summary] = in_box;
   if (!summary.enlarged_box) return moved;
-  Options options = with_direct_solver(of_cells);
+  FiniteVolumeOptions options = with_direct_solver(of_cells);
   options.x1_max = summary.enlarged_box->box.x1_max;
   options.x2_max = summary.enlarged_box->box.x2_max;
   options.nx = summary.enlarged_box->nx;
   options.nv = summary.enlarged_box->nv;
-  const Result enlarged_box = solve(options);
+  const FiniteVolumeResult enlarged_box = solve(options);
   if (!enlarged_box.solution.density) return moved;
   for (const auto& named : transform::kMoments) {
     moved.*named.moment =
@@ -137,7 +144,7 @@ Moments box_truncation_error(const SolveOnOneGrid& solve, const Options& of_cell
 // of convergence may be too high along characteristics, and for a formula with kinks. A relative
 // error below the residual of a balance would contradict the balance. The dissipated power is
 // proportional to E[v^2], and so to E[y^2]; the mean force is proportional to E[y].
-Moments raise_to_balance_residuals(Moments error, const Result& fine) {
+Moments raise_to_balance_residuals(Moments error, const FiniteVolumeResult& fine) {
   const auto& [solution, summary] = fine;
   if (!summary.balances_limit_errors) return error;
   const double power = std::abs(solution.energy_residual);
@@ -153,10 +160,13 @@ Moments raise_to_balance_residuals(Moments error, const Result& fine) {
   return error;
 }
 
-ErrorEstimate estimate_with_box_truncation(const Options& options, const Result& coarse,
-                                           const Result& middle, const Result& fine,
-                                           const Moments& box_truncation) {
-  ErrorEstimate error = estimate_error(coarse, middle, fine, order_of_convergence(options));
+DiscretisationErrorEstimate estimate_with_box_truncation(const FiniteVolumeOptions& options,
+                                                         const FiniteVolumeResult& coarse,
+                                                         const FiniteVolumeResult& middle,
+                                                         const FiniteVolumeResult& fine,
+                                                         const Moments& box_truncation) {
+  DiscretisationErrorEstimate error =
+      estimate_error_from_three_grids(coarse, middle, fine, order_of_convergence(options));
   error.moments = raise_to_balance_residuals(error.moments, fine);
   for (const auto& named : transform::kMoments) {
     error.moments.*named.moment +=
@@ -167,7 +177,8 @@ ErrorEstimate estimate_with_box_truncation(const Options& options, const Result&
 }
 
 // Returns the most accurate result so far, with the status `not_converged`.
-Result not_converged_result(Result best, const Options& options, const std::string& reason) {
+FiniteVolumeResult not_converged_result(FiniteVolumeResult best, const FiniteVolumeOptions& options,
+                                        const std::string& reason) {
   best.solution.status = Status::not_converged;
   const std::string reached =
       best.summary.error ? fmt::format("error estimate {:.1e}",
@@ -179,49 +190,53 @@ Result not_converged_result(Result best, const Options& options, const std::stri
   return best;
 }
 
-// Minimum ratio of the computing times on successive grids
+// Smallest ratio of the computing times on successive grids of a refinement
 constexpr double kTimeRatio = 2.5;
 
 // The difference of solutions on grids with equal numbers of cells does not measure an error.
-bool have_same_cells(const Summary& first, const Summary& second) {
+bool have_same_cells(const FiniteVolumeSummary& first, const FiniteVolumeSummary& second) {
   return first.nx > 0 && first.nx == second.nx && first.nv == second.nv;
 }
 
-// Returns a computing time that does not depend on the machine, for a reproducible choice of grids.
-double expected_seconds(const Summary& summary) {
+// Returns an estimate of the computing time that does not depend on the machine, so that the choice
+// of grids is reproducible.
+double expected_seconds(const FiniteVolumeSummary& summary) {
   constexpr double kOfCell = 4e-5, kAlongCharacteristics = 1e-5;
   return summary.nx * summary.nv *
          (summary.transport == TransportScheme::characteristics ? kAlongCharacteristics : kOfCell);
 }
 
-// Returns whether all further grids up to kTargetAccuracy are expected to take at most an
-// eighth of the time limit. The number of further grids is extrapolated from the error estimate of
-// the last three grids.
-bool is_target_accuracy_attainable(const ErrorEstimate& error, const Summary& last,
-                                   const Options& options, const base::Deadline& deadline) {
+// Returns whether all further grids up to kAutomaticGridTargetL1Error are expected to take at most
+// an eighth of the time limit. The number of further grids is extrapolated from the error estimate
+// of the last three grids.
+bool is_target_accuracy_attainable(const DiscretisationErrorEstimate& error,
+                                   const FiniteVolumeSummary& last,
+                                   const FiniteVolumeOptions& options,
+                                   const base::Deadline& deadline) {
   constexpr double kTimeFraction = 8, kLeastOrder = 0.5;
   const double order =
       std::clamp(error.observed_order, kLeastOrder, 1.0 * order_of_convergence(options));
   const double missing =
-      std::max(1.0, std::ceil(std::log(largest_l1_error(error) / kTargetAccuracy) /
+      std::max(1.0, std::ceil(std::log(largest_l1_error(error) / kAutomaticGridTargetL1Error) /
                               (order * std::log(kRefinementRatio))));
-  // The time of all further grids, in units of the time of the last grid, is a geometric series.
+  // The computing time on all further grids, in units of the time on the last grid, is a geometric
+  // series.
   const double levels = kTimeRatio * (std::pow(kTimeRatio, missing) - 1) / (kTimeRatio - 1);
   return kTimeFraction * levels * expected_seconds(last) <= deadline.limit_seconds();
 }
 
-// The first three grids of an error estimate.
-struct ThreeGrids {
-  Result fine;                   // with an error estimate, if all three grids have densities
-  std::optional<Result> middle;  // absent if the fine grid has no density
+// Results on the first three grids of an error estimate.
+struct ResultsOnThreeGrids {
+  FiniteVolumeResult fine;  // with an error estimate, if all three grids have densities
+  std::optional<FiniteVolumeResult> middle;  // absent if the fine grid has no density
   double fine_seconds = 0;
 };
 
-Options coarser_grid(const Options& options, double factor) {
+FiniteVolumeOptions coarser_grid(const FiniteVolumeOptions& options, double factor) {
   return with_direct_solver(with_refined_cells(options, 1 / factor));
 }
 
-bool have_same_box(const Result& first, const Result& second) {
+bool have_same_box(const FiniteVolumeResult& first, const FiniteVolumeResult& second) {
   constexpr double kRounding = 1e-12;
   if (!first.solution.density || !second.solution.density) return false;
   const auto have_same_ends = [](const std::vector<double>& a, const std::vector<double>& b) {
@@ -235,15 +250,16 @@ bool have_same_box(const Result& first, const Result& second) {
          have_same_ends(of_first.v_edges, of_second.v_edges);
 }
 
-// Solves on the grid of the options and on two coarser grids with the same box and cells wider by
-// kRefinementRatio and its square, in parallel if the box is known. If the solution on the fine
-// grid has moved the ends of the box or refined the cells, the two solutions on coarser grids are
-// repeated.
-ThreeGrids solve_on_three_grids(const SolveOnOneGrid& solve, const Options& options,
-                                const std::optional<Box>& known_box) {
+// Solves on the grid of the options and on two coarser grids in one computational box, in parallel
+// if the computational box is known. The cells of the coarser grids are wider by the factors
+// kRefinementRatio and kRefinementRatio^2. If the solution on the fine grid has moved the ends of
+// the computational box or refined the cells, the two solutions on coarser grids are repeated.
+ResultsOnThreeGrids solve_on_three_grids(const SolveOnOneGrid& solve,
+                                         const FiniteVolumeOptions& options,
+                                         const std::optional<PhasePlaneBox>& known_box) {
   constexpr double kMiddle = kRefinementRatio, kCoarse = kRefinementRatio * kRefinementRatio;
-  ThreeGrids grids;
-  Result &fine = grids.fine, middle, coarse;
+  ResultsOnThreeGrids grids;
+  FiniteVolumeResult &fine = grids.fine, middle, coarse;
   Moments box_truncation;
   const auto solve_on_fine_grid = [&] {
     const base::Stopwatch stopwatch;
@@ -251,7 +267,7 @@ ThreeGrids solve_on_three_grids(const SolveOnOneGrid& solve, const Options& opti
     grids.fine_seconds = stopwatch.seconds();
   };
   if (known_box) {
-    const Options in_box = with_box_ends(options, known_box->x1_max, known_box->x2_max);
+    const FiniteVolumeOptions in_box = with_box_ends(options, known_box->x1_max, known_box->x2_max);
     base::parallel_for(3, base::kOneThreadPerProcessor, [&](std::size_t level) {
       if (level == 0) solve_on_fine_grid();
       if (level == 1) middle = solve(coarser_grid(in_box, kMiddle));
@@ -268,9 +284,10 @@ ThreeGrids solve_on_three_grids(const SolveOnOneGrid& solve, const Options& opti
            coarse.summary.origin_refinement == fine.summary.origin_refinement;
   };
   if (!known_box || !are_coarser_grids_valid()) {
-    // The coarser grids are always solved, since no solution may lack an error estimate.
-    const Options used = with_used_grid(options, fine.summary),
-                  coarsest = coarser_grid(used, kCoarse);
+    // Solutions on the coarser grids are always computed, since no solution may lack an error
+    // estimate.
+    const FiniteVolumeOptions used = with_used_grid(options, fine.summary),
+                              coarsest = coarser_grid(used, kCoarse);
     base::parallel_for(2, base::kOneThreadPerProcessor, [&](std::size_t level) {
       if (level == 0) {
         middle = solve(coarser_grid(used, kMiddle));
@@ -293,7 +310,7 @@ ThreeGrids solve_on_three_grids(const SolveOnOneGrid& solve, const Options& opti
 
 }  // namespace
 
-Options with_refined_cells(Options options, double factor) {
+FiniteVolumeOptions with_refined_cells(FiniteVolumeOptions options, double factor) {
   options.refine_unresolved = false;
   options.refinement *= factor;
   if (options.nx) options.nx = static_cast<int>(std::lround(*options.nx * factor));
@@ -301,17 +318,22 @@ Options with_refined_cells(Options options, double factor) {
   return options;
 }
 
-bool is_preferable_result(const Result& first, const Result& second) {
-  const auto rank = [](const Result& result) {
-    return result.solution.is_ok() ? 3 : result.summary.error ? 2 : result.solution.density ? 1 : 0;
+bool is_preferable_result(const FiniteVolumeResult& first, const FiniteVolumeResult& second) {
+  const auto rank = [](const FiniteVolumeResult& result) {
+    return result.solution.has_status_ok() ? 3
+           : result.summary.error          ? 2
+           : result.solution.density       ? 1
+                                           : 0;
   };
   if (rank(first) != rank(second)) return rank(first) > rank(second);
   return first.summary.error && second.summary.error &&
          largest_l1_error(*first.summary.error) < largest_l1_error(*second.summary.error);
 }
 
-ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const Result& fine,
-                             int order) {
+DiscretisationErrorEstimate estimate_error_from_three_grids(const FiniteVolumeResult& coarse,
+                                                            const FiniteVolumeResult& middle,
+                                                            const FiniteVolumeResult& fine,
+                                                            int order) {
   assert(coarse.solution.density && middle.solution.density && fine.solution.density);
   const transform::GridLevelDifference last = grid_level_difference(middle, fine);
   const auto known = transform::richardson_estimate(grid_level_difference(coarse, middle), last,
@@ -327,36 +349,40 @@ ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const R
           .has_richardson_limit = transform::has_richardson_limit(known.orders.l1, order)};
 }
 
-Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options,
-                                 const std::optional<Box>& known_box) {
+FiniteVolumeResult solve_with_error_estimate(const SolveOnOneGrid& solve,
+                                             const FiniteVolumeOptions& options,
+                                             const std::optional<PhasePlaneBox>& known_box) {
   return solve_on_three_grids(solve, options, known_box).fine;
 }
 
-Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options,
-                             const base::Deadline& deadline, RefinementGoal goal,
-                             const std::optional<Box>& known_box) {
+FiniteVolumeResult refine_grid_until_deadline(const SolveOnOneGrid& solve,
+                                              const FiniteVolumeOptions& options,
+                                              const base::Deadline& deadline,
+                                              GridRefinementGoal goal,
+                                              const std::optional<PhasePlaneBox>& known_box) {
   double slower = kTimeRatio;
-  ThreeGrids grids = solve_on_three_grids(solve, options, known_box);
-  Result best = std::move(grids.fine);
+  ResultsOnThreeGrids grids = solve_on_three_grids(solve, options, known_box);
+  FiniteVolumeResult best = std::move(grids.fine);
   if (!best.summary.error) return best;
   double seconds = grids.fine_seconds;
-  Options level = with_direct_solver(with_used_grid(options, best.summary));
+  FiniteVolumeOptions level = with_direct_solver(with_used_grid(options, best.summary));
   // The results `middle` and `coarse` belong to the two coarser grids of the last three grids.
-  Result middle = best, coarse = std::move(*grids.middle);
-  // Finer cells do not correct a box that is too small, the cause of the status `failed`.
+  FiniteVolumeResult middle = best, coarse = std::move(*grids.middle);
+  // The status `failed` is caused by a computational box that is too small, which finer cells do
+  // not correct.
   while (best.solution.status != Status::failed &&
-         (largest_l1_error(*best.summary.error) > kTargetAccuracy ||
-          (goal == RefinementGoal::accurate_and_ok && !best.solution.is_ok()))) {
-    // If kTargetAccuracy is not attainable in time, the grid is refined only until the status is
-    // `ok`, unless no grid has this status.
-    if ((best.solution.is_ok() || has_negative_limit(options, best.solution.min_density)) &&
+         (largest_l1_error(*best.summary.error) > kAutomaticGridTargetL1Error ||
+          (goal == GridRefinementGoal::accurate_and_ok && !best.solution.has_status_ok()))) {
+    // If kAutomaticGridTargetL1Error is not attainable in time, the grid is refined only until the
+    // status is `ok`, unless no grid has this status.
+    if ((best.solution.has_status_ok() || has_negative_limit(options, best.solution.min_density)) &&
         !is_target_accuracy_attainable(*best.summary.error, middle.summary, options, deadline)) {
       break;
     }
     if (!deadline.has_time_for(slower * seconds)) break;
     level = with_refined_cells(level, kRefinementRatio);
     const base::Stopwatch of_level;
-    Result fine = solve(level);
+    FiniteVolumeResult fine = solve(level);
     slower = std::max(kTimeRatio, of_level.seconds() / seconds);
     seconds = of_level.seconds();
     if (!fine.solution.density) break;
@@ -370,18 +396,21 @@ Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options
   return best;
 }
 
-Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
-                          const base::Deadline& deadline) {
-  constexpr double kFirst = 0.5;  // value of Options::refinement for the coarsest grid
-  // Deficit of the observed order that indicates a dominant error of the density at the origin
+FiniteVolumeResult refine_grid_to_tolerance(const SolveOnOneGrid& solve,
+                                            const FiniteVolumeOptions& options,
+                                            const base::Deadline& deadline) {
+  constexpr double kFirst = 0.5;  // value of FiniteVolumeOptions::refinement for the coarsest grid
+  // Deficit of the observed order of convergence that indicates a dominant error of the density at
+  // the origin
   constexpr double kOrdersMissing = 1.5;
-  // Fraction of the tolerance that the truncation error of the box may take; only a larger box
-  // reduces the truncation error
+  // Fraction of the error tolerance that truncation by the computational box may take; only a
+  // larger box reduces the truncation error
   constexpr double kWalls = 0.25, kLeastOnWall = 1e-12;
-  Options level = with_refined_cells(options, kFirst);
+  FiniteVolumeOptions level = with_refined_cells(options, kFirst);
   level.wall_density = std::min(options.wall_density, *options.tolerance / 100);
-  std::array<std::optional<Result>, 3> last;  // results on the last three grids, coarsest first
-  std::optional<Result> estimated;            // result on the finest ungraded grid
+  std::array<std::optional<FiniteVolumeResult>, 3>
+      last;                                     // results on the last three grids, coarsest first
+  std::optional<FiniteVolumeResult> estimated;  // result on the finest ungraded grid
   Moments box_truncation;
   bool box_found = false;
   const auto stop = [&](const std::string& reason) {
@@ -389,7 +418,8 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
     const bool newer = last[2] && (last[2]->summary.error || !estimated);
     return not_converged_result(newer ? *last[2] : *estimated, options, reason);
   };
-  // Computing time on the last grid; ratio of the computing times on the next and the last grid
+  // Computing time on the last grid, and expected ratio of the computing times on the next and on
+  // the last grid
   double seconds = 0, slower = kTimeRatio;
   while (true) {
     if ((last[2] || estimated) && !deadline.has_time_for(slower * seconds)) {
@@ -397,7 +427,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
                               slower * seconds));
     }
     const base::Stopwatch of_level;
-    Result result = solve(with_direct_solver(level));
+    FiniteVolumeResult result = solve(with_direct_solver(level));
     slower = std::max(kTimeRatio, seconds > 0 ? of_level.seconds() / seconds : 0);
     seconds = of_level.seconds();
     if (!result.solution.density) {
@@ -429,7 +459,7 @@ Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
           return *last[2];
         }
         level.stepper = options.stepper;
-        Result stepped = solve(level);
+        FiniteVolumeResult stepped = solve(level);
         if (!stepped.solution.density && deadline.has_passed()) stepped = *last[2];
         if (stepped.solution.density) add_error_estimate(stepped, last[1]->solution, error);
         check_error_estimate(options, stepped);

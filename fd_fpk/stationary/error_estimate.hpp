@@ -16,49 +16,56 @@ namespace fpkcheck::fd_fpk {
 /// the preceding grid by the factor transform::kRefinementRatio. The discretisation error is
 /// estimated, not bounded: the largest observed ratio of error to estimate is 2.5.
 /// @pre all three solutions have a density
-ErrorEstimate estimate_error(const Result& coarse, const Result& middle, const Result& fine,
-                             int order);
+DiscretisationErrorEstimate estimate_error_from_three_grids(const FiniteVolumeResult& coarse,
+                                                            const FiniteVolumeResult& middle,
+                                                            const FiniteVolumeResult& fine,
+                                                            int order);
 
 /// Returns the options for a grid with cell widths divided by `factor`, without automatic
 /// refinement.
-Options with_refined_cells(Options options, double factor);
+FiniteVolumeOptions with_refined_cells(FiniteVolumeOptions options, double factor);
 
-/// Function that solves one problem with the given options on a single grid. Several threads may
-/// call the function at the same time.
-using SolveOnOneGrid = std::function<Result(const Options&)>;
+/// Function that solves one problem with the given options on a single grid. The function must be
+/// thread-safe.
+using SolveOnOneGrid = std::function<FiniteVolumeResult(const FiniteVolumeOptions&)>;
 
 /// Returns the solution on the grid of the options, with an error estimate from direct solutions on
 /// two coarser grids. The cells of the two coarser grids are wider by the factors q and q^2, with q
 /// = transform::kRefinementRatio. The solution includes extrapolated moments if
 /// transform::has_richardson_limit accepts the observed order of convergence.
-/// @param known_box box that `solve` uses unless `solve` must move the ends. With a known box the
-/// three grids are solved in parallel.
-Result solve_with_error_estimate(const SolveOnOneGrid& solve, const Options& options,
-                                 const std::optional<Box>& known_box = {});
+/// @param known_box box that `solve` uses unless `solve` must move the ends. If the computational
+/// box is known, the solutions on the three grids are computed in parallel.
+FiniteVolumeResult solve_with_error_estimate(const SolveOnOneGrid& solve,
+                                             const FiniteVolumeOptions& options,
+                                             const std::optional<PhasePlaneBox>& known_box = {});
 
-/// Condition under which refine_until_deadline() stops refining the grid.
-enum class RefinementGoal {
-  accurate,        ///< the L1 error estimate is at most kTargetAccuracy
-  accurate_and_ok  ///< the L1 error estimate is at most kTargetAccuracy, and the status is `ok`
+/// Condition under which automatic refinement of the grid stops.
+enum class GridRefinementGoal {
+  accurate,  ///< the L1 error estimate is at most kAutomaticGridTargetL1Error
+  /// The L1 error estimate is at most kAutomaticGridTargetL1Error, and the status is `ok`.
+  accurate_and_ok
 };
 
 /// Returns the solution with an error estimate, on a grid that is refined until the goal is
 /// reached. A finer grid is tried only if the expected time is at most a fraction of the time
 /// limit, or if the status is not yet `ok`.
-Result refine_until_deadline(const SolveOnOneGrid& solve, const Options& options,
-                             const base::Deadline& deadline, RefinementGoal goal,
-                             const std::optional<Box>& known_box = {});
+FiniteVolumeResult refine_grid_until_deadline(const SolveOnOneGrid& solve,
+                                              const FiniteVolumeOptions& options,
+                                              const base::Deadline& deadline,
+                                              GridRefinementGoal goal,
+                                              const std::optional<PhasePlaneBox>& known_box = {});
 
 /// Returns whether the first result is preferable to the second result. The first differing
 /// criterion decides, in this order: status `ok`, existence of an error estimate, existence of a
 /// density, smaller error estimate.
-bool is_preferable_result(const Result& first, const Result& second);
+bool is_preferable_result(const FiniteVolumeResult& first, const FiniteVolumeResult& second);
 
 /// Returns the solution on the first grid of a sequence whose error estimate is below
 /// options.tolerance. If the observed order is well below the order of the scheme, the cells are
 /// graded towards the origin. The status is `not_converged` if the error estimate on the largest
 /// permitted grid still exceeds the tolerance.
-Result solve_to_tolerance(const SolveOnOneGrid& solve, const Options& options,
-                          const base::Deadline& deadline);
+FiniteVolumeResult refine_grid_to_tolerance(const SolveOnOneGrid& solve,
+                                            const FiniteVolumeOptions& options,
+                                            const base::Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

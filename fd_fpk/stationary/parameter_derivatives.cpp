@@ -10,25 +10,26 @@ constexpr double kDerivativeTolerance = 1e-12;  // relative residual of GMRES
 }  // namespace
 
 Eigen::VectorXd generator_derivative_product(const problem::Problem& problem,
-                                             const Options& options,
-                                             const problem::ParameterDerivative& parameter,
-                                             const DirectSolution& stationary) {
+                                             const FiniteVolumeOptions& options,
+                                             const problem::ParameterDifferenceQuotient& parameter,
+                                             const DirectStationarySolution& stationary) {
   assert(stationary.averages);
   const Eigen::VectorXd& p = *stationary.averages;
   Eigen::VectorXd product = Eigen::VectorXd::Zero(p.size());
   for (const auto& [weight, changed] : parameter.terms) {
     const problem::Problem transformed = problem::to_wall_coordinates(problem.frame, changed);
-    product += weight * (fokker_planck_operator(
-                             transformed, options,
-                             with_excitation_of(transformed, options, stationary.discretisation)) *
-                         p);
+    product +=
+        weight * (fokker_planck_operator(transformed, options,
+                                         discretise_excitation_on_same_grid(
+                                             transformed, options, stationary.discretisation)) *
+                  p);
   }
   return product;
 }
 
-GmresResult solve_density_derivative(const DirectSolution& stationary,
+GmresResult solve_density_derivative(const DirectStationarySolution& stationary,
                                      const Eigen::VectorXd& generator_derivative,
-                                     const ApproximateSolve& approximate_solve,
+                                     const ApproximateLinearSolver& approximate_solve,
                                      const base::Deadline& deadline) {
   assert(stationary.averages);
   const FokkerPlanckOperator& op = stationary.op;

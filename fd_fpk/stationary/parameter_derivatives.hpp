@@ -18,16 +18,16 @@ namespace fpkcheck::fd_fpk {
 /// @param problem problem in wall coordinates
 /// @pre the solution has cell averages
 Eigen::VectorXd generator_derivative_product(const problem::Problem& problem,
-                                             const Options& options,
-                                             const problem::ParameterDerivative& parameter,
-                                             const DirectSolution& stationary);
+                                             const FiniteVolumeOptions& options,
+                                             const problem::ParameterDifferenceQuotient& parameter,
+                                             const DirectStationarySolution& stationary);
 
 /// Solves L dp = -dL p with mass 0 of dp.
 /// @param generator_derivative cell averages of dL p
 /// @param approximate_solve preconditioner of L, up to a factor
-GmresResult solve_density_derivative(const DirectSolution& stationary,
+GmresResult solve_density_derivative(const DirectStationarySolution& stationary,
                                      const Eigen::VectorXd& generator_derivative,
-                                     const ApproximateSolve& approximate_solve,
+                                     const ApproximateLinearSolver& approximate_solve,
                                      const base::Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

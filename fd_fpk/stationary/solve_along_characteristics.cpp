@@ -24,31 +24,33 @@ constexpr int kOrderOfObservables = 3;
 constexpr int kCharacteristicsPerCell = 8;
 
 struct GridSolution {
-  Grid grid;
-  StationaryMasses found;
+  PhasePlaneGrid grid;
+  StationaryCellMasses found;
 };
 
 GridSolution solve_in_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                          const Options& options, const Box& box, const base::Deadline& deadline) {
-  Grid grid = characteristic_grid(problem, scales, options, box);
-  StationaryMasses found =
-      stationary_masses(problem, scales, grid, kCharacteristicsPerCell, deadline);
+                          const FiniteVolumeOptions& options, const PhasePlaneBox& box,
+                          const base::Deadline& deadline) {
+  PhasePlaneGrid grid = characteristic_grid(problem, scales, options, box);
+  StationaryCellMasses found =
+      stationary_cell_masses(problem, scales, grid, kCharacteristicsPerCell, deadline);
   return {.grid = std::move(grid), .found = std::move(found)};
 }
 
-// Masses of the marginal densities, on the cells of y and on the cells of speed.
+// Masses of the marginal distributions in the cells of y and in the cells of speed.
 struct MarginalMasses {
   Eigen::VectorXd of_y, of_speed;
 };
 MarginalMasses marginal_masses(const GridSolution& grid_solution) {
-  const int nx = grid_solution.grid.nx(), nv = grid_solution.grid.nv();
+  const int nx = grid_solution.grid.nx(), nv = grid_solution.grid.v_cell_count();
   const Eigen::Map<const Eigen::MatrixXd> masses(grid_solution.found.masses->data(), nv, nx);
   const Eigen::VectorXd of_v = masses.rowwise().sum();
   return {.of_y = masses.colwise().sum(),
           .of_speed = of_v.tail(nv / 2) + of_v.head(nv / 2).reverse()};
 }
 
-// Largest accepted mass in the end cells of a box, where mass that would leave the box accumulates.
+// Largest accepted mass in the end cells of a computational box, where mass that would leave the
+// computational box accumulates.
 constexpr double kMaxMassAtEnd = 1e-6;
 double mass_at_end(const GridSolution& grid_solution, const MarginalMasses& marginal_masses) {
   const Eigen::VectorXd& of_y = marginal_masses.of_y;
@@ -60,10 +62,10 @@ double mass_at_end(const GridSolution& grid_solution, const MarginalMasses& marg
       {on_left, on_right, marginal_masses.of_speed(marginal_masses.of_speed.size() - 1)});
 }
 
-// Returns the smallest face position beyond which the mass is at most `negligible`. The function
-// adds absolute values, since the masses of wide cells oscillate in a steep tail. The result is the
-// last face if the last cell contains more than `negligible`.
-double end_of_support(const Axis& axis, const Eigen::VectorXd& masses, double negligible) {
+// Returns the smallest face position beyond which the mass is at most `negligible`. The sum of the
+// mass beyond a face contains absolute values, since the masses of wide cells oscillate in a steep
+// tail. If the last cell contains more mass than `negligible`, the last face is returned.
+double end_of_support(const GridAxis& axis, const Eigen::VectorXd& masses, double negligible) {
   double beyond = 0;
   int last = axis.cell_count();
   while (last > 1) {
@@ -74,8 +76,9 @@ double end_of_support(const Axis& axis, const Eigen::VectorXd& masses, double ne
   return axis.face_position(last);
 }
 
-// Returns the largest distance from y = 0 of the support, on both sides of an axis without walls.
-double end_of_support_in_y(const Axis& axis, const Eigen::VectorXd& masses, double negligible) {
+// Returns the largest distance of the support of the density from y = 0, on both sides of an axis
+// without walls.
+double end_of_support_in_y(const GridAxis& axis, const Eigen::VectorXd& masses, double negligible) {
   const double right = end_of_support(axis, masses, negligible);
   if (axis.left_end_condition() != AxisEndCondition::vacuum) return right;
   double beyond = 0;
@@ -88,25 +91,29 @@ double end_of_support_in_y(const Axis& axis, const Eigen::VectorXd& masses, doub
   return std::max(right, -axis.face_position(first));
 }
 
-// Returns a box, determined on wide cells, that contains all but a negligible part of the mass.
-// After the deadline the box is widened no further if the mass in the cells at the ends of the box
-// is at most kMaxMassAtEnd. A solution with more mass in the end cells would be rejected.
-Box characteristics_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                        const Options& options, const base::Deadline& deadline) {
+// Returns a computational box, determined on wide cells, that contains all but a negligible part of
+// the mass. After the deadline the computational box is widened no further if the mass in the cells
+// at the ends of the computational box is at most kMaxMassAtEnd. A solution with more mass in the
+// end cells of the computational box would be rejected.
+PhasePlaneBox characteristics_box(const problem::Problem& problem,
+                                  const problem::MotionScales& scales,
+                                  const FiniteVolumeOptions& options,
+                                  const base::Deadline& deadline) {
   constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;
   // Around a limit cycle the errors of GMRES, 1e-10 (characteristics/embedded_chain.cpp), spread
   // over the whole box, since the motion far from the cycle is slow.
   constexpr double kNegligibleAroundCycle = 1e-9;
-  // Mass at the ends of the box above which the box is widened by the larger factor kFastWidening.
+  // Mass at the ends of the computational box above which the computational box is widened by the
+  // larger factor kFastWidening.
   constexpr double kLargeMass = 1e-3, kFastWidening = 3;
   // Approximate ratio of the computing times in the wider and the narrower box
   constexpr double kTimeRatio = 1.5;
   constexpr int kMostTimes = 6;
-  Box box = initial_characteristic_box(problem, scales, options);
+  PhasePlaneBox box = initial_characteristic_box(problem, scales, options);
   const bool given_y = options.x1_max || problem.system.right_wall(),
              given_v = options.x2_max.has_value();
   if (given_y && given_v) return box;
-  Options coarse = options;
+  FiniteVolumeOptions coarse = options;
   coarse.nx = coarse.nv = std::nullopt;
   coarse.refinement = kCoarse;
   for (int time = 0; time < kMostTimes; ++time) {
@@ -134,7 +141,8 @@ Box characteristics_box(const problem::Problem& problem, const problem::MotionSc
   return box;
 }
 
-// Adds the atoms in contact, and their contributions to the moments, to the solution.
+// Adds the atoms of mass at rest in contact, and their contributions to the moments, to the
+// solution.
 void add_atoms(const problem::Problem& problem, const GridSolution& grid_solution,
                transform::Solution& solution) {
   auto& moments = solution.moments;
@@ -154,7 +162,7 @@ void add_atoms(const problem::Problem& problem, const GridSolution& grid_solutio
 
 void set_results(const problem::Problem& problem, const problem::MotionScales& scales,
                  const GridSolution& grid_solution, const Eigen::VectorXd& averages,
-                 Result& result) {
+                 FiniteVolumeResult& result) {
   auto& [solution, summary] = result;
   const double rate = problem.impulses.arrival_rate();
   const auto& [left, right] = grid_solution.found.impacts;
@@ -174,7 +182,7 @@ void set_results(const problem::Problem& problem, const problem::MotionScales& s
       displacement_at_rest += mass * point.y;
       summary.impact_rate = std::numeric_limits<double>::infinity();
     } else {
-      // Small oscillations continue at an equilibrium, with impacts of negligible speed.
+      // At an equilibrium on a wall, small oscillations continue with impacts of negligible speed.
       summary.rest_mass += mass;
       summary.impact_rate += mass * point.impact_rate;
     }
@@ -205,16 +213,17 @@ void set_results(const problem::Problem& problem, const problem::MotionScales& s
 
 }  // namespace
 
-Result solve_along_characteristics(const problem::Problem& problem,
-                                   const problem::MotionScales& scales, const Options& options,
-                                   const base::Deadline& deadline) {
-  Result result;
+FiniteVolumeResult solve_along_characteristics(const problem::Problem& problem,
+                                               const problem::MotionScales& scales,
+                                               const FiniteVolumeOptions& options,
+                                               const base::Deadline& deadline) {
+  FiniteVolumeResult result;
   auto& [solution, summary] = result;
-  const Box box = characteristics_box(problem, scales, options, deadline);
+  const PhasePlaneBox box = characteristics_box(problem, scales, options, deadline);
   const base::Stopwatch stopwatch;
   const GridSolution grid_solution = solve_in_box(problem, scales, options, box, deadline);
   summary.nx = grid_solution.grid.nx();
-  summary.nv = grid_solution.grid.nv();
+  summary.nv = grid_solution.grid.v_cell_count();
   summary.x1_max = grid_solution.grid.x1_max();
   summary.x2_max = grid_solution.grid.x2_max();
   summary.refinement = options.refinement;

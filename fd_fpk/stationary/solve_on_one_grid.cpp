@@ -29,16 +29,17 @@ PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
   // With tolerances above the size of the density, local errors do not limit the steps of CVODE.
   constexpr double kRelativeTolerance = 1, kPeakMultiple = 1000;
   const double absolute_tolerance = kPeakMultiple * initial_averages.maxCoeff();
-  // The tolerances refer to the mass of a cell. Tolerances of densities would shorten the steps,
-  // because the density varies strongly in the narrow cells at a singularity. Under white noise at
-  // r = 0.6 GMRES took 860 iterations with tolerances of densities, instead of 372.
+  // The tolerances of the time steps refer to the mass of a cell, not to the density. Tolerances of
+  // densities would shorten the steps, because the density varies strongly in the narrow cells at a
+  // singularity. Under white noise at r = 0.6 GMRES took 860 iterations with tolerances of
+  // densities, instead of 372.
   const Eigen::VectorXd absolute_tolerances =
       absolute_tolerance * op.areas.mean() / op.areas.array();
   // The residual of GMRES in a step, relative to the peak, is gamma times the contribution of the
   // GMRES residual to L P. The tolerance of GMRES is a tenth of the larger of two residuals: the
   // residual expected after the step, which is about 1/gamma of the preceding residual in decay
-  // times, and the requested residual. If the requested residual is very small, kLeast keeps the
-  // tolerance above the rounding errors.
+  // times, and the requested residual. If the requested stationarity residual is very small, kLeast
+  // keeps the tolerance of GMRES above the rounding errors.
   constexpr double kPart = 0.1, kLeast = 1e-11;
   const auto linear_tolerance = [&](double residual) {
     const double part = kPart * decay_time * std::max(residual, kStep * tolerance);
@@ -84,7 +85,8 @@ PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
   pseudo_transient.krylov_iterations = cvode.krylov_iteration_count();
   pseudo_transient.krylov_seconds =
       stopwatch.seconds() - (preconditioner.factor_seconds() - factored_before);
-  // The density is normalised to mass 1 again, because the residual of GMRES changes the mass.
+  // After GMRES the density is normalised to mass 1 again, because the residual of GMRES changes
+  // the mass.
   pseudo_transient.averages = cvode.cell_averages() / op.total_mass(cvode.cell_averages());
   return pseudo_transient;
 }
@@ -93,10 +95,12 @@ namespace {
 
 using transform::Status;
 
-// Returns the stationary density by the method of Options::stepper, and sets the status of the
-// result; empty without a density.
-std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct, const Options& options,
-                                                  const base::Deadline& deadline, Result& result) {
+// Returns the stationary density by the method of FiniteVolumeOptions::stepper, and sets the status
+// of the result; empty without a density.
+std::optional<Eigen::VectorXd> stationary_density(DirectStationarySolution& direct,
+                                                  const FiniteVolumeOptions& options,
+                                                  const base::Deadline& deadline,
+                                                  FiniteVolumeResult& result) {
   auto& [solution, summary] = result;
   if (!direct.averages) {
     solution.status = Status::failed;
@@ -147,8 +151,8 @@ std::optional<Eigen::VectorXd> stationary_density(DirectSolution& direct, const 
 }
 
 void set_results(const problem::Problem& problem, const problem::MotionScales& scales,
-                 const Options& options, const DirectSolution& direct,
-                 const Eigen::VectorXd& averages, Result& result) {
+                 const FiniteVolumeOptions& options, const DirectStationarySolution& direct,
+                 const Eigen::VectorXd& averages, FiniteVolumeResult& result) {
   auto& [solution, summary] = result;
   const auto& [grid, excitation, length, failure, cells] = direct.discretisation;
   const int order = transport_order(options);
@@ -165,12 +169,13 @@ void set_results(const problem::Problem& problem, const problem::MotionScales& s
                         wall_momentum_transfer(problem.system, grid, averages, order));
 }
 
-// Returns the box enlarged by half in each direction in which the density at the end is
-// significant. The result is empty if the densities at all ends are negligible. Under rare
+// Returns the computational box enlarged by half in each direction in which the density at the end
+// is significant. If the densities at all ends are negligible, the result is empty. Under rare
 // impulses, for example, the density at a distance of 8 standard deviations is 1e-6 of the peak,
 // and the mass beyond this distance contributes 4e-4 of E[y^4].
 std::optional<EnlargedBox> make_enlarged_box(const problem::Problem& problem,
-                                             const Options& options, const Grid& grid,
+                                             const FiniteVolumeOptions& options,
+                                             const PhasePlaneGrid& grid,
                                              const BoxEdgeDensity& wall) {
   constexpr double kMinLevelRatio = 1.5, kNegligible = 1e-9;
   const double in_x1 = wall.x1 > kNegligible ? kMinLevelRatio : 1;
@@ -179,10 +184,10 @@ std::optional<EnlargedBox> make_enlarged_box(const problem::Problem& problem,
   return enlarge_box(problem, options, grid, in_x1, in_x2);
 }
 
-void set_grid_data(const Discretisation& discretisation, Summary& summary) {
-  const Grid& grid = discretisation.grid;
+void set_grid_data(const PlaneDiscretisation& discretisation, FiniteVolumeSummary& summary) {
+  const PhasePlaneGrid& grid = discretisation.grid;
   summary.nx = grid.nx();
-  summary.nv = grid.nv();
+  summary.nv = grid.v_cell_count();
   summary.x1_max = grid.x1_max();
   summary.x2_max = grid.x2_max();
   summary.regularisation_length = discretisation.regularisation_length;
@@ -190,13 +195,15 @@ void set_grid_data(const Discretisation& discretisation, Summary& summary) {
 
 }  // namespace
 
-Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
-                         const Options& options, const base::Deadline& deadline) {
-  Result result;
+FiniteVolumeResult solve_on_one_grid(const problem::Problem& problem,
+                                     const MotionScalesAndBox& scales_and_box,
+                                     const FiniteVolumeOptions& options,
+                                     const base::Deadline& deadline) {
+  FiniteVolumeResult result;
   auto& [solution, summary] = result;
   // The stability check needs only the velocity step and therefore precedes the solution.
-  const auto first =
-      discretise(problem, options, initial_box(problem, scales_and_box.scales, options));
+  const auto first = discretise_density_equation(
+      problem, options, initial_box(problem, scales_and_box.scales, options));
   set_grid_data(first, summary);
   if (!first.failure.empty()) {
     solution.status = Status::failed;
@@ -212,7 +219,8 @@ Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& sc
     return result;
   }
 
-  DirectSolution direct = compute_direct_solution(problem, scales_and_box, options, deadline);
+  DirectStationarySolution direct =
+      compute_direct_solution(problem, scales_and_box, options, deadline);
   set_grid_data(direct.discretisation, summary);
   summary.order = transport_order(options);
   summary.balances_limit_errors = !problem.system.has_polynomial_force();
@@ -225,7 +233,7 @@ Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& sc
   }
   const auto density = stationary_density(direct, options, deadline, result);
   if (density) {
-    const Grid& grid = direct.discretisation.grid;
+    const PhasePlaneGrid& grid = direct.discretisation.grid;
     set_results(problem, scales_and_box.scales, options, direct, *density, result);
     if (has_linearised_scales(problem)) {
       summary.enlarged_box = make_enlarged_box(problem, options, grid, summary.wall);

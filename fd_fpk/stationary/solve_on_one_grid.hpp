@@ -28,11 +28,12 @@ struct PseudoTransientResult {
 };
 
 /// Integrates dP/dt = L P from `initial_averages` by SUNDIALS CVODE until ||L P||_1 <= tolerance
-/// ||P||_1. The method is BDF of order 1, which is L-stable. BDF of higher order damps slowly near
-/// the imaginary axis, where the eigenvalues of the rotating oscillator lie. Each time step, of 500
-/// decay times, is a step of inverse iteration, which multiplies the residual by 1/(1 + step/decay
-/// time). GMRES solves the linear systems with L itself; KLU factors precondition GMRES. A time
-/// step does not start if the duration of the preceding step exceeds the time to the deadline.
+/// ||P||_1. The integration method is BDF of order 1, which is L-stable. BDF of higher order damps
+/// slowly near the imaginary axis, where the eigenvalues of the oscillator lie. Each time step, of
+/// 500 decay times, is a step of inverse iteration, which multiplies the residual by 1/(1 +
+/// step/decay time). GMRES solves the linear systems with L itself; KLU factors precondition GMRES.
+/// A time step does not start if the duration of the preceding step exceeds the time to the
+/// deadline.
 ///
 /// @param tolerance tolerance of the residual, per unit time
 /// @param decay_time longest decay time of the problem
@@ -43,18 +44,23 @@ PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
                                                 double tolerance, double decay_time,
                                                 const base::Deadline& deadline);
 
-/// Computes the stationary density on the grid and in the box of the options, with the status as in
-/// solve(). The function ignores Options::error_estimate and tolerance, which concern solutions on
-/// several grids. The caller sets the identity of the solution.
-Result solve_on_one_grid(const problem::Problem& problem, const ScalesAndBox& scales_and_box,
-                         const Options& options, const base::Deadline& deadline);
+/// Computes the stationary density on the grid and in the computational box of the options, with
+/// the status as in solve_stationary_density(). The solver on one grid ignores
+/// FiniteVolumeOptions::error_estimate and FiniteVolumeOptions::tolerance, which concern several
+/// grids. The caller sets the identity of the solution.
+FiniteVolumeResult solve_on_one_grid(const problem::Problem& problem,
+                                     const MotionScalesAndBox& scales_and_box,
+                                     const FiniteVolumeOptions& options,
+                                     const base::Deadline& deadline);
 
 /// Computes the stationary density of `kf` with the exact impact on one grid, by the embedded
 /// Markov chain of the states after impulses. A step of the chain consists of transport along
-/// characteristics (characteristics/transport_operator.hpp) and the velocity jump. The density may
-/// be unbounded at the origin. Status and options are treated as by solve_on_one_grid().
-Result solve_along_characteristics(const problem::Problem& problem,
-                                   const problem::MotionScales& scales, const Options& options,
-                                   const base::Deadline& deadline);
+/// characteristics (characteristics/transport_operator.hpp) and the velocity jump. The stationary
+/// density may be unbounded at the origin. Status and options have the meaning of
+/// solve_on_one_grid().
+FiniteVolumeResult solve_along_characteristics(const problem::Problem& problem,
+                                               const problem::MotionScales& scales,
+                                               const FiniteVolumeOptions& options,
+                                               const base::Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

@@ -11,7 +11,7 @@ namespace {
 
 // Returns the text of the ends of y that are not impact walls, such as "-2 <= y <= 3, " or "y <= 3,
 // "; empty if both ends are impact walls.
-std::string box_ends_text(const problem::WallFrame& frame, const Axis& x1) {
+std::string box_ends_text(const problem::WallFrame& frame, const GridAxis& x1) {
   bool low = x1.left_end_condition() == AxisEndCondition::vacuum,
        high = x1.right_end_condition() == AxisEndCondition::vacuum;
   double from = frame.physical_y(x1.faces().front()), to = frame.physical_y(x1.faces().back());
@@ -26,8 +26,8 @@ std::string box_ends_text(const problem::WallFrame& frame, const Axis& x1) {
 
 }  // namespace
 
-std::string box_failure_reason(const problem::WallFrame& frame, const Grid& grid,
-                               const BoxEdgeDensity& wall, const std::string& when) {
+std::string small_box_failure_reason(const problem::WallFrame& frame, const PhasePlaneGrid& grid,
+                                     const BoxEdgeDensity& wall, const std::string& when) {
   if (wall.x1 <= kMaxBoxEdgeDensity && wall.x2 <= kMaxBoxEdgeDensity &&
       wall.x1_low <= kMaxBoxEdgeDensity)
     return "";
@@ -40,17 +40,18 @@ std::string box_failure_reason(const problem::WallFrame& frame, const Grid& grid
 
 using transform::Status;
 
-void check_box_size(const problem::WallFrame& frame, const Grid& grid, Result& result) {
+void check_box_size(const problem::WallFrame& frame, const PhasePlaneGrid& grid,
+                    FiniteVolumeResult& result) {
   auto& [solution, summary] = result;
   if (solution.status != Status::ok) return;
-  solution.reason = box_failure_reason(frame, grid, summary.wall);
+  solution.reason = small_box_failure_reason(frame, grid, summary.wall);
   if (!solution.reason.empty()) solution.status = Status::failed;
 }
 
-void check_resolution(const Options& options, Result& result) {
+void check_resolution(const FiniteVolumeOptions& options, FiniteVolumeResult& result) {
   auto& solution = result.solution;
   if (solution.status != Status::ok) return;
-  if (!kStationaryLimits.is_density_accepted(solution.min_density)) {
+  if (!kStationaryResolutionLimits.is_density_accepted(solution.min_density)) {
     const bool first_order_impact = options.impact == ImpactCondition::delta;
     solution.reason = fmt::format(
         "the density is negative, {:.1g} of its peak: {}", solution.min_density,
@@ -59,7 +60,7 @@ void check_resolution(const Options& options, Result& result) {
               "density; compare with a finer grid"
             : "the grid does not resolve it; refine the grid with nx and nv, or use mcs");
   } else if (std::abs(solution.energy_residual) >
-                 std::max(kStationaryLimits.power, options.accuracy) ||
+                 std::max(kStationaryResolutionLimits.power, options.accuracy) ||
              std::isnan(solution.energy_residual)) {
     solution.reason = fmt::format(
         "the power balance has a residual of {:.1g} of the input: the grid does not resolve the "
@@ -69,7 +70,7 @@ void check_resolution(const Options& options, Result& result) {
   if (!solution.reason.empty()) solution.status = Status::inadmissible;
 }
 
-void check_balances(Result& result) {
+void check_balances(FiniteVolumeResult& result) {
   auto& [solution, summary] = result;
   if (solution.status != Status::ok) return;
   const std::pair<const char*, double> balances[] = {
@@ -87,7 +88,7 @@ void check_balances(Result& result) {
   }
 }
 
-void check_error_estimate(const Options& options, Result& result) {
+void check_error_estimate(const FiniteVolumeOptions& options, FiniteVolumeResult& result) {
   auto& [solution, summary] = result;
   if (solution.status != Status::ok) return;
   if (!summary.error) {

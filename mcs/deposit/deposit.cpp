@@ -11,8 +11,8 @@
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr int kDegree = DepositGrid::kDegree;
-constexpr int kEight = SplinePolynomials::kWidth;
+constexpr int kDegree = SampleDepositGrid::kDegree;
+constexpr int kEight = SplineSpanPolynomials::kWidth;
 constexpr double kMostCells = 1e5;
 
 void require_deposit_condition(bool holds, const std::string& message) {
@@ -62,7 +62,7 @@ void require_bins(const std::string& name, const SmoothBins& bins) {
 
 using Coefficients = std::vector<double>;  // polynomial coefficients of 1, t, t^2, ..
 
-/// Returns the polynomial a p + (b + c t) q.
+/// Returns the polynomial a p(t) + (b + c t) q(t).
 Coefficients combine_polynomials(double a, const Coefficients& p, double b, double c,
                                  const Coefficients& q) {
   Coefficients sum(std::max(p.size(), q.size() + 1), 0.0);
@@ -96,8 +96,8 @@ std::vector<Coefficients> span_splines(const std::vector<double>& knots, std::si
   return functions;
 }
 
-/// Appends coefficients to a table, from the highest power to the constant term. For each power the
-/// table has the coefficients of all polynomials.
+/// Appends polynomial coefficients to a table, from the highest power to the constant term. For
+/// each power of t the table has the coefficients of all polynomials of a knot span.
 void append_coefficient_rows(std::vector<double>& table, const std::vector<Coefficients>& functions,
                              int highest) {
   for (int n = highest; n >= 0; --n) {
@@ -123,7 +123,7 @@ std::vector<double> lagrange_polynomials() {
     polynomials.push_back(std::move(polynomial));
   }
   std::vector<double> table;
-  append_coefficient_rows(table, polynomials, DepositGrid::kStencil - 1);
+  append_coefficient_rows(table, polynomials, SampleDepositGrid::kStencil - 1);
   return table;
 }
 
@@ -141,20 +141,20 @@ std::vector<double> cubic_pieces() {
 
 }  // namespace
 
-void require_valid_deposit_grid(const DepositGrid& grid) {
+void require_valid_deposit_grid(const SampleDepositGrid& grid) {
   require_knots("y", grid.y_knots);
   require_knots("v", grid.v_knots);
   require_deposit_condition(grid.y_knots.front() == 0, "the knots of y must begin at 0");
   require_deposit_condition(
-      grid.lattice_points >= DepositGrid::kStencil && grid.lattice_spacing > 0 &&
+      grid.lattice_points >= SampleDepositGrid::kStencil && grid.lattice_spacing > 0 &&
           std::isfinite(grid.lattice_begin),
       fmt::format("{} lattice points: use at least {}, a finite begin and a positive spacing",
-                  grid.lattice_points, DepositGrid::kStencil));
+                  grid.lattice_points, SampleDepositGrid::kStencil));
   require_bins("y", grid.y_bins);
   require_bins("v", grid.v_bins);
 }
 
-SplinePolynomials::SplinePolynomials(const std::vector<double>& knots)
+SplineSpanPolynomials::SplineSpanPolynomials(const std::vector<double>& knots)
     : begin_(knots.front()), end_(knots.back()) {
   for (std::size_t k = kDegree; k + kDegree + 1 < knots.size(); ++k) {
     if (knots[k] == knots[k + 1]) continue;
@@ -170,7 +170,7 @@ SplinePolynomials::SplinePolynomials(const std::vector<double>& knots)
     std::vector<double> table;
     append_coefficient_rows(table, functions, kDegree);
     append_coefficient_rows(table, slopes, kDegree - 1);
-    // Spans whose coefficients agree up to rounding share one table.
+    // Knot spans whose spline coefficients agree up to rounding share one table.
     int place = 0;
     const auto has_same_coefficients = [&](int from) {
       return std::equal(table.begin(), table.end(), coefficients_.begin() + from,
@@ -189,12 +189,13 @@ SplinePolynomials::SplinePolynomials(const std::vector<double>& knots)
   cells_per_length_ = cells / (end_ - begin_);
   for (int cell = 0, span = 0; cell < cells; ++cell) {
     const double from = begin_ + cell / cells_per_length_;
-    while (span + 1 < span_count() && breaks_[static_cast<std::size_t>(span) + 1] <= from) ++span;
+    while (span + 1 < break_span_count() && breaks_[static_cast<std::size_t>(span) + 1] <= from)
+      ++span;
     span_of_cell_.push_back(span);
   }
 }
 
-DepositPlan::DepositPlan(const DepositGrid& g, double lambda, double interval)
+SampleDepositPlan::SampleDepositPlan(const SampleDepositGrid& g, double lambda, double interval)
     : grid((require_valid_deposit_grid(g), g)),
       y(g.y_knots),
       v(g.v_knots),

@@ -11,54 +11,56 @@ using transform::SmoothBins;
 
 /// Atom of the amplitude law: an impulse changes the velocity by `velocity_change` with this
 /// probability.
-struct VelocityJump {
+struct VelocityJumpOutcome {
   double velocity_change, probability;
 };
 
-/// Grid for the deposition of samples (Options::deposit): tensor products B_i(y) B_j(v) of
-/// B-splines of degree 5, a lattice of velocities, and smooth bins of y and v.
-struct DepositGrid {
+/// Grid for the deposition of samples (SimulationOptions::deposit): tensor products B_i(y) B_j(v)
+/// of B-splines of degree 5, a lattice of velocities, and smooth bins of y and v.
+struct SampleDepositGrid {
   static constexpr int kDegree = 5;
-  /// Number of points of the interpolation stencil on the lattice
+  /// Number of points of the interpolation stencil on the velocity lattice
   static constexpr int kStencil = 8;
 
-  /// Nondecreasing knots of the splines; the knots of y begin at 0. The first and the last knot
-  /// have multiplicity 6, inner knots at most 5. Beyond the end knots the splines are constant.
+  /// Nondecreasing knots of the splines; the knots of y begin at 0. The first and the last spline
+  /// knot have multiplicity 6, inner knots at most 5. Beyond the end knots the splines are
+  /// constant.
   std::vector<double> y_knots{}, v_knots{};
   /// Lattice of velocities lattice_begin + q lattice_spacing, q = 0 .. lattice_points - 1. A
-  /// velocity outside the lattice counts at the nearest end of the lattice.
+  /// velocity outside the velocity lattice is moved to the nearest end of the lattice.
   double lattice_begin = 0, lattice_spacing = 1;
   int lattice_points = 0;
   /// Atoms of an amplitude law without a continuous part; empty for other laws. For a law of atoms,
   /// the mean K B_j of a spline B_j after an impulse is a sum of shifted splines, which is added to
-  /// DepositedSums::flow exactly. For other laws, interpolation on the velocity lattice
-  /// approximates K B_j.
-  std::vector<VelocityJump> velocity_jumps{};
+  /// DepositedSampleSums::flow exactly. For other amplitude laws, interpolation on the velocity
+  /// lattice approximates the mean K B_j of a spline B_j after an impulse.
+  std::vector<VelocityJumpOutcome> velocity_jumps{};
   SmoothBins y_bins{}, v_bins{};
 
   int y_spline_count() const { return static_cast<int>(y_knots.size()) - kDegree - 1; }
   int v_spline_count() const { return static_cast<int>(v_knots.size()) - kDegree - 1; }
 };
 
-/// @throws InputError if the grid violates the conditions in the comments of DepositGrid
-void require_valid_deposit_grid(const DepositGrid& grid);
+/// @throws InputError if the grid violates the conditions in the comments of SampleDepositGrid
+void require_valid_deposit_grid(const SampleDepositGrid& grid);
 
-/// B-splines of degree 5 as polynomials on each knot span. Each row of eight coefficients contains
-/// the coefficients of the six nonzero splines of a span, and two zeros.
-class SplinePolynomials {
+/// B-splines of degree 5 as polynomials on each knot span. Each table row has eight numbers: the
+/// coefficients of the six splines that are nonzero on a knot span, and two zeros.
+class SplineSpanPolynomials {
  public:
   static constexpr int kWidth = 8;
 
-  explicit SplinePolynomials(const std::vector<double>& knots);
+  explicit SplineSpanPolynomials(const std::vector<double>& knots);
 
   double begin() const { return begin_; }
   double end() const { return end_; }
-  int span_count() const { return static_cast<int>(first_.size()); }
-  /// Number of evenly spaced cells per unit length. Each cell is at most as long as the shortest
-  /// span, so that the table span_at_cell_begin() accelerates the search for the span of a point.
-  double cells_per_length() const { return cells_per_length_; }
+  int break_span_count() const { return static_cast<int>(first_.size()); }
+  /// Number of evenly spaced cells per unit length. Each of these cells is at most as long as the
+  /// shortest knot span, so that the table span_at_cell_begin() accelerates the search for the span
+  /// of a point.
+  double search_cells_per_unit_length() const { return cells_per_length_; }
   int cell_count() const { return static_cast<int>(span_of_cell_.size()); }
-  /// Index of the span at the beginning of each cell
+  /// Index of the knot span at the beginning of each search cell
   const int* span_at_cell_begin() const { return span_of_cell_.data(); }
   const double* knot_values() const { return breaks_.data(); }
   const double* reciprocal_span_lengths() const { return per_length_.data(); }
@@ -66,9 +68,9 @@ class SplinePolynomials {
   /// Offset in coefficients() at which the polynomials of each knot span begin
   const int* coefficient_offsets() const { return place_.data(); }
   /// Table of the polynomial coefficients of the splines in a span, shape (11, kWidth). The first
-  /// six rows are the coefficients of t^5, .., 1 for the values of the splines, with
-  /// t = (x - begin of the span)/length. The last five rows are the coefficients of t^4, .., 1 for
-  /// the derivatives of the splines in x. Spans with equal coefficients share one table.
+  /// six table rows are the coefficients of t^5, .., 1 for the values of the splines, with t = (x -
+  /// begin of the knot span)/length. The last five table rows are the coefficients of t^4, .., 1
+  /// for the derivatives of the splines in x. Knot spans with equal coefficients share one table.
   const double* coefficients() const { return coefficients_.data(); }
 
  private:
@@ -77,10 +79,10 @@ class SplinePolynomials {
   std::vector<double> breaks_, per_length_, coefficients_;
 };
 
-/// Grid, tables and rates for the deposition of samples.
-struct DepositPlan {
-  DepositGrid grid;
-  SplinePolynomials y, v;
+/// Grid, tables and rates for adding samples to sums of splines (deposition of samples).
+struct SampleDepositPlan {
+  SampleDepositGrid grid;
+  SplineSpanPolynomials y, v;
   double rate;  ///< mean number lambda of impulses per unit time
   double sampling_interval;
   /// Coefficients of t^7, .., 1 of the Lagrange polynomials with the nodes -3 .. 4, shape (8, 8)
@@ -89,20 +91,22 @@ struct DepositPlan {
   std::vector<double> cubics;
 
   /// @throws InputError as require_valid_deposit_grid()
-  DepositPlan(const DepositGrid& grid, double rate, double sampling_interval);
+  SampleDepositPlan(const SampleDepositGrid& grid, double rate, double sampling_interval);
 };
 
-/// Sums over the samples and impacts of one stream, deposited on a DepositGrid. For N samples at
-/// equal intervals over the time T, and any h = sum c_ij B_i(y) B_j(v), the sums satisfy
+/// Sums over the samples and impacts of one trajectory stream, deposited on a SampleDepositGrid.
+/// For N samples at equal intervals over the time T, and any h = sum c_ij B_i(y) B_j(v), the sums
+/// satisfy
 ///
 ///     sum c_ij (flow[i][j] + sum_q lattice[i][q] (K B_j)(v_q)) / N
 ///         = mean of [ y' h_y + y'' h_v + lambda (K h - h) ]
 ///           + (1/T) sum over impacts of [ h(0, v+) - h(y-, v-) ].
 ///
-/// With DepositGrid::velocity_jumps the lattice is not used, and `flow` includes the terms of the
-/// lattice. In this formula y'' is the second derivative of the flight polynomial, (y-, v-) is the
-/// state of the flight polynomial at the impact, and v+ is the velocity after the impact.
-struct DepositedSums {
+/// With SampleDepositGrid::velocity_jumps the velocity lattice is not used, and the sums `flow`
+/// include the terms of the lattice. In this formula y'' is the second derivative of the flight
+/// polynomial, (y-, v-) is the state of the flight polynomial at the impact, and v+ is the velocity
+/// after the impact.
+struct DepositedSampleSums {
   int flow_pitch = 0, lattice_pitch = 0;
   std::vector<double> flow;     ///< shape (number of splines in y, flow_pitch); rows are padded
   std::vector<double> lattice;  ///< shape (number of splines in y, lattice_pitch); rows are padded
@@ -119,8 +123,8 @@ struct DepositedSums {
 
   static constexpr int kBinOffset = 2;
 
-  DepositedSums() = default;
-  explicit DepositedSums(const DepositGrid& grid)
+  DepositedSampleSums() = default;
+  explicit DepositedSampleSums(const SampleDepositGrid& grid)
       : flow_pitch(grid.v_spline_count() + kPadding),
         lattice_pitch(grid.lattice_points),
         flow(static_cast<std::size_t>(grid.y_spline_count() * flow_pitch)),
@@ -130,7 +134,7 @@ struct DepositedSums {
 
  private:
   // number of extra sums at the end of a row, since eight sums are updated at a time
-  static constexpr int kPadding = SplinePolynomials::kWidth;
+  static constexpr int kPadding = SplineSpanPolynomials::kWidth;
 };
 
 /// Calls `visit` with each array of sums, in the order of checkpoint files.

@@ -11,7 +11,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-using Real8 = simd::VectorTypes<8>::Real;
+using Real8 = simd::SimdVectorTypes<8>::Real;
 
 template <int kDegree>
 FPKCHECK_INLINE Real8 evaluate_polynomials(const double* coefficients, double t) {
@@ -21,30 +21,33 @@ FPKCHECK_INLINE Real8 evaluate_polynomials(const double* coefficients, double t)
   return sum;
 }
 
-FPKCHECK_INLINE void add_in_place(double* to, const Real8& terms) {
+FPKCHECK_INLINE void add_to_eight_sums(double* to, const Real8& terms) {
   simd::store(simd::load<Real8>(to) + terms, to);
 }
 
 /// Values and slopes of the splines that are nonzero at a point; `first` is the index of the first
 /// spline.
-struct SplineValues {
+struct SplineValuesAndSlopes {
   Real8 value, slope;
   int first;
 };
 
-FPKCHECK_INLINE SplineValues evaluate_splines(const SplinePolynomials& pieces, double x) {
-  // A NaN is replaced by the first knot.
+FPKCHECK_INLINE SplineValuesAndSlopes evaluate_splines(const SplineSpanPolynomials& pieces,
+                                                       double x) {
+  // An argument that is NaN is replaced by the first spline knot.
   const double inside = x > pieces.begin() ? (x < pieces.end() ? x : pieces.end()) : pieces.begin();
-  const int place = static_cast<int>((inside - pieces.begin()) * pieces.cells_per_length());
+  const int place =
+      static_cast<int>((inside - pieces.begin()) * pieces.search_cells_per_unit_length());
   const int last = pieces.cell_count() - 1;
-  // A cell of the span search contains at most one knot. At a knot the polynomials of both
-  // neighbouring spans agree up to rounding.
+  // A cell of the search for knot spans contains at most one knot. At a spline knot the polynomials
+  // of the two neighbouring spans agree up to rounding.
   int span = pieces.span_at_cell_begin()[place > last ? last : place];
-  span += span + 1 < pieces.span_count() && inside >= pieces.knot_values()[span + 1] ? 1 : 0;
+  span += span + 1 < pieces.break_span_count() && inside >= pieces.knot_values()[span + 1] ? 1 : 0;
   const double* const c = pieces.coefficients() + pieces.coefficient_offsets()[span];
   const double t = (inside - pieces.knot_values()[span]) * pieces.reciprocal_span_lengths()[span];
-  SplineValues f{evaluate_polynomials<5>(c, t), Real8{}, pieces.first_spline_indices()[span]};
-  // Beyond the end knots the splines are constant, with slope 0.
+  SplineValuesAndSlopes f{evaluate_polynomials<5>(c, t), Real8{},
+                          pieces.first_spline_indices()[span]};
+  // Beyond the end knots the B-splines are constant, with slope 0.
   if (inside == x) f.slope = evaluate_polynomials<4>(c + 6 * 8, t);
   return f;
 }
@@ -55,15 +58,15 @@ FPKCHECK_INLINE void add_to_smooth_bins(const SmoothBins& bins, const double* cu
   const double cells = (x - bins.first) / bins.spacing;
   if (!(cells >= -1.0 && cells < bins.count)) return;
   const int cell = static_cast<int>(cells + 1.0) - 1;
-  add_in_place(sums + cell - 1 + DepositedSums::kBinOffset,
-               weight * evaluate_polynomials<3>(cubics, cells - cell));
+  add_to_eight_sums(sums + cell - 1 + DepositedSampleSums::kBinOffset,
+                    weight * evaluate_polynomials<3>(cubics, cells - cell));
 }
 
 /// Deposits lambda B_i(y) on the velocity lattice at v, by Lagrange interpolation with eight
 /// points.
-FPKCHECK_INLINE void deposit_on_lattice(const DepositPlan& plan, DepositedSums& deposit, int first,
-                                        const Real8& rates, double v) {
-  const DepositGrid& grid = plan.grid;
+FPKCHECK_INLINE void deposit_on_lattice(const SampleDepositPlan& plan, DepositedSampleSums& deposit,
+                                        int first, const Real8& rates, double v) {
+  const SampleDepositGrid& grid = plan.grid;
   double cells = (v - grid.lattice_begin) / grid.lattice_spacing;
   const double last = grid.lattice_points - 1;
   cells = cells > 0 ? (cells < last ? cells : last) : 0;
@@ -73,37 +76,38 @@ FPKCHECK_INLINE void deposit_on_lattice(const DepositPlan& plan, DepositedSums& 
   double* line = deposit.lattice.data() + first * deposit.lattice_pitch + cell - 3;
 #pragma GCC unroll 6
   for (int i = 0; i < 6; ++i) {
-    add_in_place(line, simd::lane_value(rates, i) * stencil);
+    add_to_eight_sums(line, simd::value_in_lane(rates, i) * stencil);
     line += deposit.lattice_pitch;
   }
 }
 
 /// Adds the terms of one sample (y, v) to the sums of a deposit.
 /// @param acceleration second derivative y'' of the flight polynomial
-FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, DepositedSums& deposit, double y,
-                                    double v, double acceleration, double weight) {
-  const SplineValues in_y = evaluate_splines(plan.y, y), in_v = evaluate_splines(plan.v, v);
+FPKCHECK_INLINE void deposit_sample(const SampleDepositPlan& plan, DepositedSampleSums& deposit,
+                                    double y, double v, double acceleration, double weight) {
+  const SplineValuesAndSlopes in_y = evaluate_splines(plan.y, y),
+                              in_v = evaluate_splines(plan.v, v);
   // Terms y' B_i' B_j - lambda B_i B_j + y'' B_i B_j' of one sample
   const Real8 of_value = (weight * v) * in_y.slope - (weight * plan.rate) * in_y.value;
   const Real8 of_slope = (weight * acceleration) * in_y.value;
   double* row = deposit.flow.data() + in_y.first * deposit.flow_pitch + in_v.first;
 #pragma GCC unroll 6
   for (int i = 0; i < 6; ++i) {
-    add_in_place(row, simd::lane_value(of_value, i) * in_v.value +
-                          simd::lane_value(of_slope, i) * in_v.slope);
+    add_to_eight_sums(row, simd::value_in_lane(of_value, i) * in_v.value +
+                               simd::value_in_lane(of_slope, i) * in_v.slope);
     row += deposit.flow_pitch;
   }
-  const DepositGrid& grid = plan.grid;
+  const SampleDepositGrid& grid = plan.grid;
   const Real8 rates = (weight * plan.rate) * in_y.value;
   if (grid.velocity_jumps.empty()) {
     deposit_on_lattice(plan, deposit, in_y.first, rates, v);
   } else {
-    for (const VelocityJump& atom : grid.velocity_jumps) {
-      const SplineValues after = evaluate_splines(plan.v, v + atom.velocity_change);
+    for (const VelocityJumpOutcome& atom : grid.velocity_jumps) {
+      const SplineValuesAndSlopes after = evaluate_splines(plan.v, v + atom.velocity_change);
       double* line = deposit.flow.data() + in_y.first * deposit.flow_pitch + after.first;
 #pragma GCC unroll 6
       for (int i = 0; i < 6; ++i) {
-        add_in_place(line, (simd::lane_value(rates, i) * atom.probability) * after.value);
+        add_to_eight_sums(line, (simd::value_in_lane(rates, i) * atom.probability) * after.value);
         line += deposit.flow_pitch;
       }
     }
@@ -118,20 +122,21 @@ FPKCHECK_INLINE void deposit_sample(const DepositPlan& plan, DepositedSums& depo
 
 /// Deposits the jump h(0, v+) - h(y-, v-) at one impact to first order in y-, since y- differs from
 /// 0 only by rounding.
-FPKCHECK_INLINE void deposit_impact(const DepositPlan& plan, DepositedSums& deposit,
+FPKCHECK_INLINE void deposit_impact(const SampleDepositPlan& plan, DepositedSampleSums& deposit,
                                     double y_before, double v_before, double v_after,
                                     double weight) {
   const double per_sample = weight / plan.sampling_interval;
-  const SplineValues before = evaluate_splines(plan.v, v_before),
-                     after = evaluate_splines(plan.v, v_after);
-  const SplineValues wall = evaluate_splines(plan.y, 0.0);
+  const SplineValuesAndSlopes before = evaluate_splines(plan.v, v_before),
+                              after = evaluate_splines(plan.v, v_after);
+  const SplineValuesAndSlopes wall = evaluate_splines(plan.y, 0.0);
   double* row = deposit.flow.data();
-  add_in_place(row + after.first, per_sample * after.value);
+  add_to_eight_sums(row + after.first, per_sample * after.value);
 #pragma GCC unroll 2
   // only the first two splines of y have a nonzero value or slope at the wall
   for (int i = 0; i < 2; ++i) {
-    const double at = simd::lane_value(wall.value, i) + y_before * simd::lane_value(wall.slope, i);
-    add_in_place(row + before.first, (-per_sample * at) * before.value);
+    const double at =
+        simd::value_in_lane(wall.value, i) + y_before * simd::value_in_lane(wall.slope, i);
+    add_to_eight_sums(row + before.first, (-per_sample * at) * before.value);
     row += deposit.flow_pitch;
   }
   deposit.impacts[0] -= weight * v_before;

@@ -17,31 +17,31 @@ namespace {
 std::vector<std::vector<double>> bin_sums_per_stream(const Simulation& simulation,
                                                      transform::StateVariable variable) {
   std::vector<std::vector<double>> sums;  // shape (streams, n + 2) including the two outer bins
-  for (const Stream& stream : simulation.streams()) {
-    const Histogram& histogram = stream.record.histogram;
+  for (const TrajectoryStream& stream : simulation.streams()) {
+    const JointHistogram& histogram = stream.record.histogram;
     sums.push_back(variable == transform::StateVariable::y ? histogram.row_sums()
                                                            : histogram.column_sums());
   }
   return sums;
 }
 
-struct DensityInterval {
+struct IntervalOfConstantDensity {
   double lower, upper;
 };
 
 /// Returns the score interval of Wilson (J. Am. Stat. Assoc. 22 (1927) 209) for rare events: the
 /// densities d with |d - mean| <= t s(d) and s^2(d) = error^2 d / mean. The variance is
 /// proportional to the density, since the visits to a bin are nearly a Poisson process. After few
-/// visits the interval mean +- t error often misses the true density, which is then more often
-/// above the mean than below.
-DensityInterval score_interval(double mean, double error, double t) {
+/// visits to a bin the interval mean +- t error often misses the true density, which is more often
+/// above the interval than below.
+IntervalOfConstantDensity score_interval(double mean, double error, double t) {
   const double shift = t * t * error * error / (2 * mean);
   const double half_width = std::sqrt(shift * (2 * mean + shift));
   return {std::max(mean + shift - half_width, 0.0), mean + shift + half_width};
 }
 
-/// Returns the probabilities that the variable is below each bin edge, estimated from each stream,
-/// shape (streams, edges).
+/// Returns the probabilities that the variable is below each bin edge, estimated from each
+/// trajectory stream, shape (streams, edges).
 std::vector<std::vector<double>> cumulative_probabilities(const Simulation& simulation,
                                                           transform::StateVariable variable) {
   auto sums = bin_sums_per_stream(simulation, variable);
@@ -100,15 +100,15 @@ class DistributionFunction {
   std::vector<double> below_;
 };
 
-/// A mirrored axis exchanges lower and upper tail.
-std::vector<QuantileEstimate> to_physical_coordinates(const problem::WallFrame& frame,
-                                                      transform::StateVariable variable,
-                                                      std::vector<QuantileEstimate> quantiles) {
+/// In a mirrored coordinate the lower and the upper tail are exchanged.
+std::vector<QuantileWithConfidenceInterval> to_physical_coordinates(
+    const problem::WallFrame& frame, transform::StateVariable variable,
+    std::vector<QuantileWithConfidenceInterval> quantiles) {
   const auto to_physical = [&](double x) {
     return variable == transform::StateVariable::y ? frame.physical_y(x)
                                                    : frame.physical_velocity(x);
   };
-  for (QuantileEstimate& q : quantiles) {
+  for (QuantileWithConfidenceInterval& q : quantiles) {
     q = {q.probability, to_physical(q.value), to_physical(q.lower), to_physical(q.upper)};
     if (!frame.mirrored) continue;
     q.probability = 1 - q.probability;
@@ -129,11 +129,12 @@ double expected_l1_error(const BinErrors& errors) {
   return sum;
 }
 
-// Multiplier bootstrap: a replicate multiplies the error contribution of each stream by a random
-// normal factor. The L1 norms of the replicates have the distribution of the L1 sampling error.
+// Multiplier bootstrap: a replicate multiplies the error contribution of each trajectory stream by
+// a random normal factor. The L1 norms of the replicates have the distribution of the L1 sampling
+// error.
 L1SamplingError l1_sampling_error(const BinErrors& errors) {
   constexpr int kReplicates = 400;
-  // arbitrary constant seed, so that runs are reproducible
+  // arbitrary constant seed of the bootstrap, so that runs are reproducible
   constexpr std::uint64_t kSeed = 20240501;
   L1SamplingError result{.expected = expected_l1_error(errors), .quantile_99 = 0};
   if (errors.empty()) return result;
@@ -154,27 +155,29 @@ L1SamplingError l1_sampling_error(const BinErrors& errors) {
   return result;
 }
 
-MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWeights& weights,
-                                   transform::StateVariable variable, double effective_samples) {
-  const auto& edges = simulation.plan().bin_finder(variable).edges();
+MarginalDensityEstimate estimate_marginal(const Simulation& simulation,
+                                          const StreamWeights& weights,
+                                          transform::StateVariable variable,
+                                          double effective_samples) {
+  const auto& edges = simulation.plan().bin_finder_of_variable(variable).edges();
   const auto sums = bin_sums_per_stream(simulation, variable);
-  MarginalEstimate result;
+  MarginalDensityEstimate result;
   auto& [marginal, errors] = result;
   marginal.edges = edges;
   std::vector<double> densities(sums.size());
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
-    const double width = marginal.width(b);
+    const double width = marginal.bin_width(b);
     const double unit = 1 / (simulation.expected_samples_per_stream() * width);
     std::ranges::transform(sums, densities.begin(),
                            [&](const auto& stream_sums) { return stream_sums[b + 1] * unit; });
     const auto [mean, error] = weights.estimate_mean(densities);
-    // a mean may be negative, as explained in estimate_joint_density()
+    // the mean density in a bin may be negative, as explained in estimate_joint_density()
     const double density = std::max(mean, 0.0);
     // If no sample of n independent samples is in the bin, the probability of the bin is below 3/n
     // at 95 % confidence ("rule of three").
-    const DensityInterval interval =
+    const IntervalOfConstantDensity interval =
         density > 0 ? score_interval(density, error, weights.confidence_interval_factor())
-                    : DensityInterval{0, 3 / (effective_samples * width)};
+                    : IntervalOfConstantDensity{0, 3 / (effective_samples * width)};
     marginal.density.push_back(density);
     marginal.lower.push_back(interval.lower);
     marginal.upper.push_back(interval.upper);
@@ -184,19 +187,21 @@ MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWei
   return result;
 }
 
-JointEstimate estimate_joint_density(const Simulation& simulation, const StreamWeights& weights) {
+JointDensityEstimate estimate_joint_density(const Simulation& simulation,
+                                            const StreamWeights& weights) {
   const SimulationPlan& plan = simulation.plan();
-  JointEstimate joint{{plan.y_bins.edges(), plan.v_bins.edges(), {}}, {}};
+  JointDensityEstimate joint{{plan.y_bins.edges(), plan.v_bins.edges(), {}}, {}};
   transform::GridDensity& density = joint.density;
   std::vector<double> values(simulation.streams().size());
-  for (std::size_t i = 0; i < density.ny(); ++i) {
+  for (std::size_t i = 0; i < density.y_cell_count(); ++i) {
     const double dy = density.y_edges[i + 1] - density.y_edges[i];
-    for (std::size_t j = 0; j < density.nv(); ++j) {
+    for (std::size_t j = 0; j < density.v_cell_count(); ++j) {
       const double dv = density.v_edges[j + 1] - density.v_edges[j];
       const double unit = 1 / (simulation.expected_samples_per_stream() * dy * dv);
-      std::ranges::transform(simulation.streams(), values.begin(), [&](const Stream& stream) {
-        return stream.record.histogram(i + 1, j + 1) * unit;
-      });
+      std::ranges::transform(simulation.streams(), values.begin(),
+                             [&](const TrajectoryStream& stream) {
+                               return stream.record.histogram(i + 1, j + 1) * unit;
+                             });
       const auto [mean, error] = weights.estimate_mean(values);
       // In short runs the mean of a cell in the far tails is negative if only a stream of negative
       // weight visits the cell.
@@ -207,10 +212,10 @@ JointEstimate estimate_joint_density(const Simulation& simulation, const StreamW
   return joint;
 }
 
-std::vector<QuantileEstimate> estimate_quantiles(const Simulation& simulation,
-                                                 const StreamWeights& weights,
-                                                 transform::StateVariable variable) {
-  const auto& edges = simulation.plan().bin_finder(variable).edges();
+std::vector<QuantileWithConfidenceInterval> estimate_quantiles(const Simulation& simulation,
+                                                               const StreamWeights& weights,
+                                                               transform::StateVariable variable) {
+  const auto& edges = simulation.plan().bin_finder_of_variable(variable).edges();
   const auto streams = cumulative_probabilities(simulation, variable);
   std::vector<double> mean, error, values(streams.size());
   for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -220,7 +225,7 @@ std::vector<QuantileEstimate> estimate_quantiles(const Simulation& simulation,
     error.push_back(estimate.standard_error);
   }
   const DistributionFunction distribution(edges, mean);
-  std::vector<QuantileEstimate> quantiles;
+  std::vector<QuantileWithConfidenceInterval> quantiles;
   for (const double p : kProbabilities) {
     if (!distribution.is_in_range(p)) continue;
     const double value = distribution.quantile_of_probability(p);

@@ -8,7 +8,7 @@
 
 namespace fpkcheck::mcs {
 
-/// Contributions of the streams to the sampling error of the probability of each bin
+/// Contributions of the trajectory streams to the sampling error of the probability of each bin
 /// (StreamWeights::error_contributions), shape (bins, streams).
 using BinErrors = std::vector<std::vector<double>>;
 
@@ -24,7 +24,7 @@ struct L1SamplingError {
 
 L1SamplingError l1_sampling_error(const BinErrors& errors);
 
-struct MarginalEstimate {
+struct MarginalDensityEstimate {
   transform::Marginal marginal;
   BinErrors errors;
 };
@@ -33,21 +33,24 @@ struct MarginalEstimate {
 /// intervals.
 /// @param effective_samples effective number of samples, which determines the upper confidence
 /// limit in a bin without samples
-MarginalEstimate estimate_marginal(const Simulation& simulation, const StreamWeights& weights,
-                                   transform::StateVariable variable, double effective_samples);
+MarginalDensityEstimate estimate_marginal(const Simulation& simulation,
+                                          const StreamWeights& weights,
+                                          transform::StateVariable variable,
+                                          double effective_samples);
 
-struct JointEstimate {
+struct JointDensityEstimate {
   transform::GridDensity density;
   std::vector<double> standard_errors;  ///< standard errors of the cell averages, row-major
 };
-JointEstimate estimate_joint_density(const Simulation& simulation, const StreamWeights& weights);
+JointDensityEstimate estimate_joint_density(const Simulation& simulation,
+                                            const StreamWeights& weights);
 
 /// Returns quantiles of y or y' from the distribution function F of the histogram, a cubic between
 /// the bin edges. The 95 % interval contains the values x for which F(x) agrees with the
 /// probability within the sampling error (Woodruff, JASA 47, 1952). Quantiles outside the bins are
 /// omitted.
-std::vector<QuantileEstimate> estimate_quantiles(const Simulation& simulation,
-                                                 const StreamWeights& weights,
-                                                 transform::StateVariable variable);
+std::vector<QuantileWithConfidenceInterval> estimate_quantiles(const Simulation& simulation,
+                                                               const StreamWeights& weights,
+                                                               transform::StateVariable variable);
 
 }  // namespace fpkcheck::mcs

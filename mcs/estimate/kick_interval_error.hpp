@@ -10,8 +10,8 @@
 namespace fpkcheck::mcs {
 
 /// Returns the plan of a second simulation with twice the interval between the kicks of white
-/// noise, and with other random numbers. The result is empty without kicks, and where the interval
-/// causes no error (class NoiseKicks).
+/// noise, and with other random numbers. Without noise kicks, and where the kick interval causes no
+/// error (class NoiseKicks), the result is empty.
 std::optional<SimulationPlan> plan_with_doubled_kick_interval(const problem::Problem& problem,
                                                               const SimulationPlan& plan);
 

@@ -16,15 +16,15 @@ double sum_above_edge(const std::vector<double>& sums, std::size_t edge) {
 }
 
 template <class CountEvents>
-std::vector<LevelEventRate> estimate_level_event_rates(const Simulation& simulation,
-                                                       const StreamWeights& weights,
-                                                       std::size_t first_edge,
-                                                       CountEvents count_events) {
+std::vector<RateOfEventsAtLevel> estimate_level_event_rates(const Simulation& simulation,
+                                                            const StreamWeights& weights,
+                                                            std::size_t first_edge,
+                                                            CountEvents count_events) {
   const auto& edges = simulation.plan().y_bins.edges();
-  std::vector<LevelEventRate> found;
+  std::vector<RateOfEventsAtLevel> found;
   for (std::size_t k = first_edge; k < edges.size(); k += kEdgesPerLevel) {
     const auto values =
-        statistic_per_stream(simulation.streams(), [&](const StreamStatistics& record) {
+        statistic_per_stream(simulation.streams(), [&](const TrajectoryStreamStatistics& record) {
           return count_events(record, k) / simulation.simulated_time_per_stream();
         });
     found.push_back({simulation.plan().frame.physical_y(edges[k]), weights.estimate_mean(values)});
@@ -34,18 +34,19 @@ std::vector<LevelEventRate> estimate_level_event_rates(const Simulation& simulat
 
 }  // namespace
 
-double moment_in_wall_coordinates(const Simulation& simulation, const StreamStatistics& record,
-                                  int p, int q) {
-  const auto index = std::ranges::find(kPowers, std::pair{p, q}) - kPowers.begin();
+double moment_in_wall_coordinates(const Simulation& simulation,
+                                  const TrajectoryStreamStatistics& record, int p, int q) {
+  const auto index =
+      std::ranges::find(kRecordedMomentPowers, std::pair{p, q}) - kRecordedMomentPowers.begin();
   return record.powers[static_cast<std::size_t>(index)] / simulation.expected_samples_per_stream();
 }
 
-double moment_in_physical_coordinates(const Simulation& simulation, const StreamStatistics& record,
-                                      int p, int q) {
+double moment_in_physical_coordinates(const Simulation& simulation,
+                                      const TrajectoryStreamStatistics& record, int p, int q) {
   const problem::WallFrame& frame = simulation.plan().frame;
   if (frame.is_identity()) return moment_in_wall_coordinates(simulation, record, p, q);
-  // y^p = (origin + sign x)^p with the wall coordinate x
-  const auto [origin, sign] = std::pair{frame.origin, frame.sign()};
+  // The physical displacement is y = origin + sign x with the wall coordinate x.
+  const auto [origin, sign] = std::pair{frame.origin, frame.velocity_sign()};
   double sum = 0, binomial = 1;
   for (int n = 0; n <= p; ++n) {
     const double of_x = n + q == 0 ? 1 : moment_in_wall_coordinates(simulation, record, n, q);
@@ -55,11 +56,12 @@ double moment_in_physical_coordinates(const Simulation& simulation, const Stream
   return sum;
 }
 
-double mean_of_polynomial_in_y(const Simulation& simulation, const StreamStatistics& record,
+double mean_of_polynomial_in_y(const Simulation& simulation,
+                               const TrajectoryStreamStatistics& record,
                                const numerics::Polynomial& g) {
   assert(g.degree() <= 6);
   const auto power_of_y = [&](std::size_t n) {
-    if (n <= kHighestPower)
+    if (n <= kHighestRecordedMomentPower)
       return moment_in_wall_coordinates(simulation, record, static_cast<int>(n), 0);
     return (n == 5 ? record.y5 : record.y6) / simulation.expected_samples_per_stream();
   };
@@ -71,7 +73,7 @@ double mean_of_polynomial_in_y(const Simulation& simulation, const StreamStatist
 }
 
 std::vector<double> moment_per_stream(const Simulation& simulation, int p, int q) {
-  return statistic_per_stream(simulation.streams(), [&](const StreamStatistics& record) {
+  return statistic_per_stream(simulation.streams(), [&](const TrajectoryStreamStatistics& record) {
     return moment_in_physical_coordinates(simulation, record, p, q);
   });
 }
@@ -94,11 +96,11 @@ MomentEstimates estimate_moments(const Simulation& simulation, const StreamWeigh
 }
 
 std::vector<double> excess_impulse_power_per_stream(const Simulation& simulation) {
-  // Impulses are independent of the motion before them. The work of the impulses (Excitation::work)
-  // therefore has the expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt. E[v] = 0, since int v dt is
-  // the change of y and impacts do not change y.
+  // Each impulse is independent of the motion before the impulse. The work of the impulses
+  // (ImpulseProcess::work) therefore has the expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt. E[v]
+  // = 0, since int v dt is the change of y and impacts do not change y.
   const double expected = simulation.plan().excitation.work;
-  return statistic_per_stream(simulation.streams(), [&](const StreamStatistics& record) {
+  return statistic_per_stream(simulation.streams(), [&](const TrajectoryStreamStatistics& record) {
     return record.work / simulation.simulated_time_per_stream() - expected;
   });
 }
@@ -109,18 +111,19 @@ double effective_sample_count(const Simulation& simulation, int p, int q) {
   return (second - mean * mean) / (error * error);
 }
 
-std::vector<LevelEventRate> estimate_upcrossing_rates(const Simulation& simulation,
-                                                      const StreamWeights& weights) {
-  return estimate_level_event_rates(
-      simulation, weights, kEdgesPerLevel, [](const StreamStatistics& record, std::size_t k) {
-        return sum_above_edge(record.peaks, k) - sum_above_edge(record.troughs, k);
-      });
+std::vector<RateOfEventsAtLevel> estimate_upcrossing_rates(const Simulation& simulation,
+                                                           const StreamWeights& weights) {
+  return estimate_level_event_rates(simulation, weights, kEdgesPerLevel,
+                                    [](const TrajectoryStreamStatistics& record, std::size_t k) {
+                                      return sum_above_edge(record.peaks, k) -
+                                             sum_above_edge(record.troughs, k);
+                                    });
 }
 
-std::vector<LevelEventRate> estimate_peak_rates(const Simulation& simulation,
-                                                const StreamWeights& weights) {
+std::vector<RateOfEventsAtLevel> estimate_peak_rates(const Simulation& simulation,
+                                                     const StreamWeights& weights) {
   return estimate_level_event_rates(simulation, weights, 0,
-                                    [](const StreamStatistics& record, std::size_t k) {
+                                    [](const TrajectoryStreamStatistics& record, std::size_t k) {
                                       return sum_above_edge(record.peaks, k);
                                     });
 }

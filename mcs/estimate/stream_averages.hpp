@@ -9,23 +9,26 @@
 
 namespace fpkcheck::mcs {
 
-/// Returns the mean of y^p y'^q in one stream, in wall coordinates, for (p, q) = (y_power, v_power)
-/// among kPowers.
-double moment_in_wall_coordinates(const Simulation& simulation, const StreamStatistics& record,
-                                  int y_power, int v_power);
+/// Returns the mean of y^p y'^q in one trajectory stream, in wall coordinates, for (p, q) =
+/// (y_power, v_power) among kRecordedMomentPowers.
+double moment_in_wall_coordinates(const Simulation& simulation,
+                                  const TrajectoryStreamStatistics& record, int y_power,
+                                  int v_power);
 
-/// Returns the mean of g(y) in one stream, in wall coordinates.
+/// Returns the mean of g(y) in one trajectory stream, in wall coordinates.
 /// @pre the degree of the polynomial is at most 6
-double mean_of_polynomial_in_y(const Simulation& simulation, const StreamStatistics& record,
+double mean_of_polynomial_in_y(const Simulation& simulation,
+                               const TrajectoryStreamStatistics& record,
                                const numerics::Polynomial& g);
 
-/// Returns the mean of y^p y'^q in one stream, in physical coordinates, for (p, q) = (y_power,
-/// v_power) among kPowers.
-double moment_in_physical_coordinates(const Simulation& simulation, const StreamStatistics& record,
-                                      int y_power, int v_power);
+/// Returns the mean of y^p y'^q in one trajectory stream, in physical coordinates, for (p, q) =
+/// (y_power, v_power) among kRecordedMomentPowers.
+double moment_in_physical_coordinates(const Simulation& simulation,
+                                      const TrajectoryStreamStatistics& record, int y_power,
+                                      int v_power);
 
-/// Returns the mean of y^p y'^q in every stream, in physical coordinates, for (p, q) = (y_power,
-/// v_power) among kPowers.
+/// Returns the mean of y^p y'^q in every trajectory stream, in physical coordinates, for (p, q) =
+/// (y_power, v_power) among kRecordedMomentPowers.
 std::vector<double> moment_per_stream(const Simulation& simulation, int y_power, int v_power);
 
 struct MomentEstimates {
@@ -34,7 +37,8 @@ struct MomentEstimates {
 /// Returns the weighted means of the moments over the streams, in physical coordinates.
 MomentEstimates estimate_moments(const Simulation& simulation, const StreamWeights& weights);
 
-/// Returns the excess power of every stream: power of the drawn impulses minus the expected power.
+/// Returns the excess power of every trajectory stream: power of the drawn impulses minus the
+/// expected power.
 std::vector<double> excess_impulse_power_per_stream(const Simulation& simulation);
 
 /// Returns the effective number of samples Var(x) / SE^2 of x = y^p y'^q, p = y_power, q = v_power:
@@ -43,15 +47,15 @@ double effective_sample_count(const Simulation& simulation, int y_power, int v_p
 
 /// Returns the rates of upward crossings of levels of y: the number of maxima minus the number of
 /// minima of y above the level, per unit time. Between an upward and a downward crossing of a
-/// level, y has one more maximum than minima. Every tenth bin edge of y is a level, from the first
-/// edge above the wall.
-std::vector<LevelEventRate> estimate_upcrossing_rates(const Simulation& simulation,
-                                                      const StreamWeights& weights);
+/// level, y has one more maximum than minima. Every tenth bin edge of y is a crossing level, from
+/// the first edge above the wall.
+std::vector<RateOfEventsAtLevel> estimate_upcrossing_rates(const Simulation& simulation,
+                                                           const StreamWeights& weights);
 
 /// Returns the rates of maxima of y above 0 and above the levels of estimate_upcrossing_rates().
-/// The ratio of the rate above a level to the rate above 0 is the probability that a peak exceeds
-/// the level.
-std::vector<LevelEventRate> estimate_peak_rates(const Simulation& simulation,
-                                                const StreamWeights& weights);
+/// The rate of maxima above a level, divided by the rate of maxima above 0, is the probability that
+/// a peak exceeds the level.
+std::vector<RateOfEventsAtLevel> estimate_peak_rates(const Simulation& simulation,
+                                                     const StreamWeights& weights);
 
 }  // namespace fpkcheck::mcs

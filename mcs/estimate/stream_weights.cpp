@@ -18,7 +18,7 @@ double sum_of_squares_about(double centre, std::span<const double> values) {
   return sum;
 }
 
-// Returns whether the control variate is constant up to rounding.
+// Returns whether the control variate, the excess power, is equal in all streams up to rounding.
 bool is_negligible(double square_about_mean, std::span<const double> values) {
   constexpr double kRounding = 1e-12;
   return square_about_mean <= sum_of_squares_about(0, values) * kRounding * kRounding;
@@ -56,8 +56,8 @@ MeanEstimate StreamWeights::estimate_mean(std::span<const double> values) const 
   const double x_bar = mean_of_values(values);
   double weighted = 0;
   for (std::size_t s = 0; s < size(); ++s) {
-    // Weighting the deviations from the plain mean avoids cancellation if all values are nearly
-    // equal.
+    // The weights multiply the deviations from the plain mean, which avoids cancellation if all
+    // values are nearly equal.
     weighted += weights_[s] * (values[s] - x_bar);
   }
   double square = 0;

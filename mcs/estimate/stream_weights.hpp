@@ -11,38 +11,39 @@ struct MeanEstimate {
 };
 
 /// Estimated quantile of a variable: `probability` is the probability of values below `value`.
-struct QuantileEstimate {
+struct QuantileWithConfidenceInterval {
   double probability;
   double value;
   double lower, upper;  ///< ends of the 95 % confidence interval of the quantile
 };
 
 /// Rate of upward crossings of a level of y, or of peaks above a level of y, per unit time.
-struct LevelEventRate {
+struct RateOfEventsAtLevel {
   double level;
   MeanEstimate rate;
 };
 
-/// Weights of the stream averages, which express the control-variate estimate (Lavenberg & Welch,
-/// Management Science 27, 1981) as a weighted mean.
+/// Weights of the trajectory stream averages, which express the control-variate estimate (Lavenberg
+/// & Welch, Management Science 27, 1981) as a weighted mean.
 ///
 /// The control variate is the excess of the work of the impulses over the expected work: in a
-/// stream with excess work, displacement and speed are larger than on average. The impulse law
-/// alone determines the expected work, for any oscillator. Let x_s be the average of stream s and
-/// b_s the excess power of stream s, which has mean zero. The streams form two halves A and B with
-/// means x_A, b_A, x_B, b_B and least-squares slopes beta_A, beta_B of x on b. The slope beta_A of
-/// half A corrects the mean of half B, and beta_B corrects the mean of half A. The halves are
-/// independent, so the following estimate is unbiased:
+/// trajectory stream with excess work, displacement and speed are larger than on average. The
+/// impulse law alone determines the expected work, for any oscillator. Let x_s be the average of
+/// stream s and b_s the excess power of stream s, which has mean zero. The streams form two halves
+/// A and B with means x_A, b_A, x_B, b_B and least-squares slopes beta_A, beta_B of x on b. The
+/// slope beta_A of half A corrects the mean of half B, and beta_B corrects the mean of half A. The
+/// halves are independent, so the following estimate is unbiased:
 ///
 ///     estimate = (n_A/n) (x_A - beta_B b_A) + (n_B/n) (x_B - beta_A b_B) = sum w_s x_s,
 ///     w_s = 1/n - (n_B/n) b_B (b_s - b_A) / S_A   for s in A,   S_A = sum_A (b_s - b_A)^2,
 ///
-/// For s in B, the halves A and B are exchanged in the formula of w_s. The weights satisfy sum w_s
-/// = 1 and sum w_s b_s = 0. Moments, histogram and fluxes all use the weights w_s and are therefore
-/// consistent. The weights are near 1/n; a weight is negative only in short runs with few streams.
+/// For s in B, the halves A and B are exchanged in the formula of w_s. The stream weights w_s
+/// satisfy sum w_s = 1 and sum w_s b_s = 0. Moments, histogram and fluxes all use the weights w_s
+/// and are therefore consistent. The stream weights are near 1/n; a weight is negative only in
+/// short runs with few streams.
 class StreamWeights {
  public:
-  /// @param excess_powers excess power of each stream, for at least eight streams
+  /// @param excess_powers excess power of each trajectory stream, for at least eight streams
   explicit StreamWeights(std::span<const double> excess_powers);
 
   double operator[](std::size_t stream) const { return weights_[stream]; }
@@ -52,9 +53,10 @@ class StreamWeights {
   /// computed from the residuals of the regression.
   MeanEstimate estimate_mean(std::span<const double> values) const;
 
-  /// Returns the contribution of each stream to the sampling error of estimate_mean(values). The
-  /// sum of the squared contributions is the squared standard error. The sum of products of the
-  /// contributions to two means is the covariance of the two means.
+  /// Returns the contribution of each trajectory stream to the sampling error of
+  /// estimate_mean(values). The sum of the squared error contributions is the squared standard
+  /// error. The sum of the products of the error contributions to two means is the covariance of
+  /// the two means.
   std::vector<double> error_contributions(std::span<const double> values) const;
 
   /// Returns the half-width of a 95 % confidence interval, in standard errors (Student's t).

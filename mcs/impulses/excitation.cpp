@@ -20,12 +20,12 @@ int law_index(const problem::ImpulseLaw::LawVariant& law) { return static_cast<i
 
 // Returns the atoms of a law and the intervals on which the density of the law is linear.
 template <class Law>
-std::vector<AmplitudeInterval> amplitude_intervals(const Law& law) {
-  std::vector<AmplitudeInterval> ranges;
-  for (const auto& [amplitude, probability] : law.atoms()) {
+std::vector<AmplitudeHistogramInterval> amplitude_intervals(const Law& law) {
+  std::vector<AmplitudeHistogramInterval> ranges;
+  for (const auto& [amplitude, probability] : law.amplitude_atoms()) {
     ranges.push_back({.from = amplitude, .to = amplitude, .probability = probability});
   }
-  const auto ends = law.density_breakpoints();
+  const auto ends = law.amplitude_density_breakpoints();
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const double first = law.density(ends[k]), last = law.density(ends[k + 1]);
     ranges.push_back({.from = ends[k],
@@ -37,12 +37,12 @@ std::vector<AmplitudeInterval> amplitude_intervals(const Law& law) {
   return ranges;
 }
 
-// Returns the quantile function of a law with DrawnFromQuantileFunction; null for other laws.
+// Returns the quantile function of a law with AmplitudeByQuantileFunction; null for other laws.
 std::shared_ptr<const PiecewiseQuantileFunction> make_quantile_function(
     const problem::ImpulseLaw::LawVariant& law) {
   return std::visit(
       []<class Law>(const Law& kind) -> std::shared_ptr<const PiecewiseQuantileFunction> {
-        if constexpr (std::is_base_of_v<DrawnFromQuantileFunction, StandardAmplitude<Law>>) {
+        if constexpr (std::is_base_of_v<AmplitudeByQuantileFunction, StandardAmplitude<Law>>) {
           if constexpr (requires { kind.standardised_quantile(0.5, 0.5); }) {
             return std::make_shared<const PiecewiseQuantileFunction>(interpolate_quantile_function(
                 [&](double p, double q) { return kind.standardised_quantile(p, q); }));
@@ -57,9 +57,9 @@ std::shared_ptr<const PiecewiseQuantileFunction> make_quantile_function(
       law);
 }
 
-Excitation periodic_gaussian_excitation(double interval, double mean, double variance,
-                                        double power) {
-  return {.arrivals = Excitation::Arrivals::even,
+ImpulseProcess periodic_gaussian_excitation(double interval, double mean, double variance,
+                                            double power) {
+  return {.arrivals = ImpulseProcess::Arrivals::even,
           .interval = interval,
           .law = law_index(problem::GaussianLaw{}),
           .mean = mean,
@@ -71,9 +71,9 @@ Excitation periodic_gaussian_excitation(double interval, double mean, double var
 
 }  // namespace
 
-Excitation poisson_excitation(const problem::ImpulseTrain& impulses) {
+ImpulseProcess poisson_impulse_process(const problem::ImpulseTrain& impulses) {
   const auto& law = impulses.amplitude_law().law_variant();
-  return {.arrivals = Excitation::Arrivals::poisson,
+  return {.arrivals = ImpulseProcess::Arrivals::poisson,
           .interval = 1 / impulses.arrival_rate(),
           .law = law_index(law),
           .mean = impulses.amplitude_law().mean(),
@@ -84,11 +84,13 @@ Excitation poisson_excitation(const problem::ImpulseTrain& impulses) {
           .pieces = make_quantile_function(law)};
 }
 
-Excitation white_noise_excitation(const problem::ImpulseTrain& impulses, double interval) {
+ImpulseProcess white_noise_impulse_process(const problem::ImpulseTrain& impulses, double interval) {
   return periodic_gaussian_excitation(interval, impulses.rate_times_moment(1) * interval,
                                       impulses.intensity() * interval, impulses.intensity() / 2);
 }
 
-Excitation standard_normal_impulses() { return periodic_gaussian_excitation(1, 0, 1, 0.5); }
+ImpulseProcess standard_normal_number_process() {
+  return periodic_gaussian_excitation(1, 0, 1, 0.5);
+}
 
 }  // namespace fpkcheck::mcs

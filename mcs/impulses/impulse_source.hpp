@@ -9,55 +9,59 @@
 namespace fpkcheck::mcs {
 
 struct ImpulseBlock {
-  std::array<double, kBlockSize> waiting{}, amplitude{};
+  std::array<double, kImpulsesPerBlock> waiting_time{}, amplitude{};
 };
 
-// One source of make_impulse_block() is compiled for three instruction sets.
+// One source file with make_impulse_block() is compiled for three instruction sets.
 namespace baseline {
-ImpulseBlock make_impulse_block(const Excitation& excitation, const UniformNumbers& uniforms);
+ImpulseBlock make_impulse_block(const ImpulseProcess& excitation,
+                                const UniformRandomNumbers& uniforms);
 }
 namespace avx2 {
-ImpulseBlock make_impulse_block(const Excitation& excitation, const UniformNumbers& uniforms);
+ImpulseBlock make_impulse_block(const ImpulseProcess& excitation,
+                                const UniformRandomNumbers& uniforms);
 }
 namespace avx512 {
-ImpulseBlock make_impulse_block(const Excitation& excitation, const UniformNumbers& uniforms);
+ImpulseBlock make_impulse_block(const ImpulseProcess& excitation,
+                                const UniformRandomNumbers& uniforms);
 }
 
 /// Impulse of paper (3): waiting time after the previous impulse, and amplitude Y.
 struct Impulse {
-  double waiting;
+  double waiting_time;
   double amplitude;
 };
 
-/// Generator of the impulses of one stream; impulse n is a function of (seed, stream, n) alone.
+/// Generator of the impulses of one trajectory stream; impulse n is a function of (seed, stream, n)
+/// alone.
 class ImpulseSource {
  public:
-  ImpulseSource(const Excitation& excitation, std::uint64_t seed, std::uint32_t stream,
+  ImpulseSource(const ImpulseProcess& excitation, std::uint64_t seed, std::uint32_t stream,
                 RandomNumberPurpose purpose = RandomNumberPurpose::impulses)
       : excitation_(excitation), seed_(seed), stream_(stream), purpose_(purpose) {}
   ImpulseSource(const problem::ImpulseTrain& impulses, std::uint64_t seed, std::uint32_t stream)
-      : ImpulseSource(poisson_excitation(impulses), seed, stream) {}
+      : ImpulseSource(poisson_impulse_process(impulses), seed, stream) {}
 
   Impulse next_impulse() {
-    const auto index = static_cast<std::size_t>(number_ % kBlockSize);
+    const auto index = static_cast<std::size_t>(number_ % kImpulsesPerBlock);
     if (index == 0) draw_next_block();
     ++number_;
-    return {block_.waiting[index], block_.amplitude[index]};
+    return {block_.waiting_time[index], block_.amplitude[index]};
   }
 
   /// Returns the number of impulses drawn so far.
   std::uint64_t drawn_impulse_count() const { return number_; }
-  /// Sets the generator to the state after `number` drawn impulses.
+  /// Sets the impulse generator to the state after `number` drawn impulses.
   void seek_to_impulse(std::uint64_t number);
 
-  /// Returns two independent standard normal numbers for the initial state of the stream; all calls
-  /// return the same numbers.
+  /// Returns two independent standard normal numbers for the initial state of the trajectory
+  /// stream; all calls return the same numbers.
   std::array<double, 2> initial_standard_normals() const;
 
  private:
   void draw_next_block();
 
-  Excitation excitation_;
+  ImpulseProcess excitation_;
   std::uint64_t seed_;
   std::uint32_t stream_;
   RandomNumberPurpose purpose_;
@@ -65,11 +69,11 @@ class ImpulseSource {
   ImpulseBlock block_{};
 };
 
-/// Generator of standard normal random numbers of one stream, for Gaussian noise.
+/// Generator of standard normal random numbers of one trajectory stream, for Gaussian noise.
 class NoiseSource {
  public:
   NoiseSource(std::uint64_t seed, std::uint32_t stream)
-      : impulses_(standard_normal_impulses(), seed, stream, RandomNumberPurpose::noise) {}
+      : impulses_(standard_normal_number_process(), seed, stream, RandomNumberPurpose::noise) {}
 
   double next_normal() { return impulses_.next_impulse().amplitude; }
 

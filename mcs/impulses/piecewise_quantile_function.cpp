@@ -43,7 +43,7 @@ double PiecewiseQuantileFunction::operator()(double u) const {
   const double from = piece == pieces_.begin() ? 0 : (piece - 1)->upper_end;
   const double t = (u - from) / (piece->upper_end - from);
   // With the densities f and g at the two ends of the piece, s solves t (f + g) = 2 f s + (g - f)
-  // s^2. The formula below computes the root s without cancellation.
+  // s^2. The formula in the code computes the root s without cancellation.
   const double f = piece->first_density, g = piece->last_density;
   const double s = f == g ? t : t * (f + g) / (f + std::sqrt(f * f + t * (g - f) * (g + f)));
   double sum = 0;
@@ -64,10 +64,10 @@ std::uint64_t PiecewiseQuantileFunction::checksum() const {
 }
 
 PiecewiseQuantileFunction quantile_function_of_intervals(
-    const std::vector<AmplitudeInterval>& intervals) {
+    const std::vector<AmplitudeHistogramInterval>& intervals) {
   std::vector<Piece> pieces;
   double below = 0;
-  for (const AmplitudeInterval& range : intervals) {
+  for (const AmplitudeHistogramInterval& range : intervals) {
     below += range.probability;
     if (below <= (pieces.empty() ? 0 : pieces.back().upper_end))
       continue;  // no piece for an empty interval of u
@@ -89,7 +89,8 @@ PiecewiseQuantileFunction interpolate_quantile_function(
     }
   }
   ends.push_back(0.5);
-  // The first piece is constant, since no random number u is below the end of the first piece.
+  // The first piece of the quantile function is constant, since no random number u is below the end
+  // of this piece.
   std::vector<Piece> pieces{{ends.front(), {quantile(ends.front(), 1 - ends.front())}}};
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const double from = ends[k], length = ends[k + 1] - from;

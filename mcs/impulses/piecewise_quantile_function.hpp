@@ -12,9 +12,10 @@ namespace fpkcheck::mcs {
 /// amplitude. Amplitude laws without a formula for SIMD lanes use PiecewiseQuantileFunction.
 class PiecewiseQuantileFunction {
  public:
-  /// Piece of the quantile function: a polynomial of s(u). The function s(u) grows from 0 to 1 and
-  /// is the quantile function of a density on (0, 1) that is linear from first_density to
-  /// last_density. If first_density equals last_density, s is linear in u.
+  /// Piece of the quantile function: a polynomial of a function s(u) of the uniform number u. The
+  /// function s(u) grows from 0 to 1 and is the quantile function of a density on (0, 1) that is
+  /// linear from first_density to last_density. If first_density equals last_density, the function
+  /// s(u) is linear in u.
   struct Piece {
     double upper_end;  ///< value of u at the end of the piece
     std::array<double, 8> powers;
@@ -33,7 +34,7 @@ class PiecewiseQuantileFunction {
 
 /// Interval of amplitudes, with its probability and a density that is linear from first_density to
 /// last_density. An interval with equal ends is an atom.
-struct AmplitudeInterval {
+struct AmplitudeHistogramInterval {
   double from, to;
   double probability;
   double first_density = 1, last_density = 1;
@@ -41,11 +42,12 @@ struct AmplitudeInterval {
 /// Returns the quantile function of a law from its amplitude intervals in increasing order, whose
 /// probabilities sum to 1.
 PiecewiseQuantileFunction quantile_function_of_intervals(
-    const std::vector<AmplitudeInterval>& intervals);
+    const std::vector<AmplitudeHistogramInterval>& intervals);
 
-/// Interpolates a quantile function that is smooth inside (0, 1). Each piece extends over a quarter
-/// of an octave of u or 1 - u. The polynomial of a piece interpolates at the Chebyshev points. The
-/// pieces extend from 2^-44, the smallest value of UniformNumbers::second, to 1 - 2^-44.
+/// Interpolates a quantile function that is smooth inside (0, 1). Each piece of the quantile
+/// function extends over a quarter of an octave of u or 1 - u. The polynomial of a piece
+/// interpolates at the Chebyshev points. The pieces extend from 2^-44, the smallest value of
+/// UniformRandomNumbers::second, to 1 - 2^-44.
 /// @param quantile function of p and q = 1 - p; the smaller of p and q has full precision
 PiecewiseQuantileFunction interpolate_quantile_function(
     const std::function<double(double p, double q)>& quantile);

@@ -16,18 +16,19 @@ namespace fpkcheck::mcs {
 
 /// Draws an amplitude of the law with mean 0 and width() 1 from two independent uniform numbers u
 /// and w of (0, 1); u has more random digits than w. The specialisation for each law of
-/// problem::ImpulseLaw contains a formula or derives from DrawnFromQuantileFunction. The types of
-/// the laws are only declared here, since their headers must not be compiled for several
-/// instruction sets.
+/// problem::ImpulseLaw contains a formula or derives from AmplitudeByQuantileFunction. This header
+/// only declares the types of the amplitude laws, since the headers of the laws must not be
+/// compiled for several instruction sets.
 template <class Law>
 struct StandardAmplitude;
 
 /// Box-Muller transform with the sine of an angle between -90 and 90 degrees, instead of the cosine
-/// of an angle on the full turn. The sine and the cosine of a uniform angle have equal laws.
+/// of an angle on the full turn. The sine and the cosine of a uniform random angle have equal
+/// distributions.
 template <>
 struct StandardAmplitude<problem::GaussianLaw> {
   template <class Real>
-  FPKCHECK_INLINE static Real draw(const Real& u, const Real& w) {
+  FPKCHECK_INLINE static Real draw_standard_amplitude(const Real& u, const Real& w) {
     return simd::square_root(-2.0 * simd::logarithm(u)) *
            simd::sine_of_quarter_turns(2.0 * w - 1.0);
   }
@@ -36,7 +37,7 @@ struct StandardAmplitude<problem::GaussianLaw> {
 template <>
 struct StandardAmplitude<problem::LaplaceLaw> {
   template <class Real>
-  FPKCHECK_INLINE static Real draw(const Real& u, const Real& w) {
+  FPKCHECK_INLINE static Real draw_standard_amplitude(const Real& u, const Real& w) {
     const Real size = -simd::logarithm(u);
     return simd::select(2.0 * w - 1.0 < 0.0, -size, size);
   }
@@ -45,16 +46,16 @@ struct StandardAmplitude<problem::LaplaceLaw> {
 template <>
 struct StandardAmplitude<problem::TwoPointLaw> {
   template <class Real>
-  FPKCHECK_INLINE static Real draw(const Real&, const Real& w) {
-    return simd::select(2.0 * w - 1.0 < 0.0, simd::broadcast<Real>(-1.0),
-                        simd::broadcast<Real>(1.0));
+  FPKCHECK_INLINE static Real draw_standard_amplitude(const Real&, const Real& w) {
+    return simd::select(2.0 * w - 1.0 < 0.0, simd::all_lanes_equal_to<Real>(-1.0),
+                        simd::all_lanes_equal_to<Real>(1.0));
   }
 };
 
 template <>
 struct StandardAmplitude<problem::UniformLaw> {
   template <class Real>
-  FPKCHECK_INLINE static Real draw(const Real& u, const Real&) {
+  FPKCHECK_INLINE static Real draw_standard_amplitude(const Real& u, const Real&) {
     return 2.0 * u - 1.0;
   }
 };
@@ -62,17 +63,17 @@ struct StandardAmplitude<problem::UniformLaw> {
 template <>
 struct StandardAmplitude<problem::ExponentialLaw> {
   template <class Real>
-  FPKCHECK_INLINE static Real draw(const Real& u, const Real&) {
+  FPKCHECK_INLINE static Real draw_standard_amplitude(const Real& u, const Real&) {
     return -1.0 - simd::logarithm(u);
   }
 };
 
 /// Base of StandardAmplitude for laws whose amplitudes are drawn with PiecewiseQuantileFunction.
-struct DrawnFromQuantileFunction {};
+struct AmplitudeByQuantileFunction {};
 template <>
-struct StandardAmplitude<problem::GammaLaw> : DrawnFromQuantileFunction {};
+struct StandardAmplitude<problem::GammaLaw> : AmplitudeByQuantileFunction {};
 template <>
-struct StandardAmplitude<problem::TabulatedLaw> : DrawnFromQuantileFunction {};
+struct StandardAmplitude<problem::TabulatedLaw> : AmplitudeByQuantileFunction {};
 
 template <class... Laws>
 struct LawList {};

@@ -16,10 +16,11 @@ std::array<std::uint32_t, 4> random_bits(std::uint64_t seed, std::uint32_t strea
   return {bits[0], bits[1], bits[2], bits[3]};
 }
 
-UniformNumbers uniform_numbers(std::uint64_t seed, std::uint32_t stream,
-                               RandomNumberPurpose purpose, std::uint64_t first_impulse) {
-  UniformNumbers u;
-  for (std::uint64_t k = 0; k < kBlockSize; ++k) {
+UniformRandomNumbers uniform_random_numbers(std::uint64_t seed, std::uint32_t stream,
+                                            RandomNumberPurpose purpose,
+                                            std::uint64_t first_impulse) {
+  UniformRandomNumbers u;
+  for (std::uint64_t k = 0; k < kImpulsesPerBlock; ++k) {
     const auto bits = random_bits(seed, stream, purpose, first_impulse + k);
     const std::uint64_t word = std::uint64_t{bits[0]} << 32 | bits[1];
     const std::uint64_t rest = std::uint64_t{bits[2]} << 11 | (word & 0x7ff);

@@ -13,18 +13,19 @@ enum class RandomNumberPurpose : std::uint32_t { impulses, start, noise };
 std::array<std::uint32_t, 4> random_bits(std::uint64_t seed, std::uint32_t stream,
                                          RandomNumberPurpose purpose, std::uint64_t number);
 
-inline constexpr int kBlockSize = 16;
+inline constexpr int kImpulsesPerBlock = 16;
 
 /// Uniform random numbers in (0, 1) for a block of impulses: three numbers of 53, 43 and 32 bits
 /// for each impulse. The 43 bits of the second number limit the amplitude to 7.8 standard
 /// deviations of a Gaussian law and to 30 scales of a Laplace law.
-struct UniformNumbers {
-  std::array<double, kBlockSize> first, second, third;
+struct UniformRandomNumbers {
+  std::array<double, kImpulsesPerBlock> first, second, third;
 };
 
 /// Returns the uniform random numbers of the impulses `first_impulse` .. `first_impulse +
-/// kBlockSize - 1` of a stream.
-UniformNumbers uniform_numbers(std::uint64_t seed, std::uint32_t stream,
-                               RandomNumberPurpose purpose, std::uint64_t first_impulse);
+/// kImpulsesPerBlock - 1` of a trajectory stream.
+UniformRandomNumbers uniform_random_numbers(std::uint64_t seed, std::uint32_t stream,
+                                            RandomNumberPurpose purpose,
+                                            std::uint64_t first_impulse);
 
 }  // namespace fpkcheck::mcs

@@ -11,13 +11,14 @@
 
 namespace fpkcheck::mcs {
 
-void advance_all_streams(const MotionParameters& motion, std::span<Stream* const> streams,
-                         double duration, const simd::SimdVariant& simd_variant) {
+void advance_all_streams(const StreamMotionParameters& motion,
+                         std::span<TrajectoryStream* const> streams, double duration,
+                         const simd::SimdVariant& simd_variant) {
   assert(motion.records || (!motion.splitting && !motion.deposit && !motion.keeps_states));
-  assert(!(motion.keeps_series || motion.keeps_states) || !motion.splitting);
-  assert(!motion.kicks.is_present() || !motion.oscillator.is_duffing_at_wall());
+  assert(!(motion.records_displacement_series || motion.keeps_states) || !motion.splitting);
+  assert(!motion.kicks.is_acting() || !motion.oscillator.is_duffing_at_wall());
   assert(!motion.deposit || motion.oscillator.is_duffing_at_wall());
-  for (Stream* stream : streams) {
+  for (TrajectoryStream* stream : streams) {
     stream->branch.remaining = duration;
     if (motion.splitting) motion.splitting->split_initial_state(*stream);
   }
@@ -34,28 +35,30 @@ void advance_all_streams(const MotionParameters& motion, std::span<Stream* const
   }
 }
 
-double noise_intensity_factor(const MotionParameters& motion, const TrajectoryBranch& branch) {
+double noise_intensity_factor(const StreamMotionParameters& motion,
+                              const TrajectoryBranch& branch) {
   if (motion.time_dependence == nullptr) return 1;
   return motion.time_dependence->intensity_factor(motion.end_time - branch.remaining);
 }
 
-bool accept_impulse_by_thinning(const MotionParameters& motion, Stream& stream) {
+bool accept_impulse_by_thinning(const StreamMotionParameters& motion, TrajectoryStream& stream) {
   if (motion.time_dependence == nullptr || !motion.time_dependence->has_rate_factor()) return true;
   const double uniform = numerics::normal_probability(stream.noise.next_normal());
   return uniform < motion.time_dependence->rate_factor(motion.end_time - stream.branch.remaining);
 }
 
-double time_to_next_kick(const MotionParameters& motion, double diffusion, double y, double v) {
+double time_to_next_kick(const StreamMotionParameters& motion, double diffusion, double y,
+                         double v) {
   const double longest_interval = motion.kicks.longest_interval;
   if (!motion.kicks.has_lossy_wall) return longest_interval;
-  if (motion.kicks.factor != nullptr) diffusion *= motion.kicks.factor->squared(y, v);
+  if (motion.kicks.factor != nullptr) diffusion *= motion.kicks.factor->squared_factor(y, v);
   if (diffusion == 0) return longest_interval;
   const double fraction = motion.kicks.fraction_near_wall;
   const double in_velocity = fraction * v * v / diffusion;
   if (in_velocity >= longest_interval) return longest_interval;
   double distance = std::numeric_limits<double>::infinity();
-  for (const Wall* wall : {&motion.oscillator.left, &motion.oscillator.right}) {
-    if (!wall->is_lossy()) continue;
+  for (const SimulatedWall* wall : {&motion.oscillator.left, &motion.oscillator.right}) {
+    if (!wall->has_impact_losses()) continue;
     distance = std::min(distance, std::abs(y - wall->position));
   }
   const double in_distance = fraction * std::cbrt(distance * distance / diffusion);

@@ -17,8 +17,8 @@
 namespace fpkcheck::mcs {
 namespace {
 
-/// Motion of Oscillator::Kind::duffing_at_wall: the only wall is at y = 0, the mass never rests,
-/// and no noise acts between impulses.
+/// Motion of SimulatedOscillator::Kind::duffing_at_wall: the only wall is at y = 0, the mass never
+/// rests, and no noise acts between impulses.
 struct DuffingMotion {
   template <class Real>
   using Flight = DuffingFlight<Real>;
@@ -51,32 +51,32 @@ struct FormulaMotion {
   static constexpr bool kDeposits = false;
 };
 
-/// State and sums of several streams, one stream per SIMD lane.
+/// State and statistical sums of several trajectories, one trajectory in each SIMD lane.
 template <int W, class Motion>
-struct LaneState {
-  using Real = typename simd::VectorTypes<W>::Real;
+struct SimdLaneStates {
+  using Real = typename simd::SimdVectorTypes<W>::Real;
   using Mask = decltype(Real{} < Real{});
   using Flight = typename Motion::template Flight<Real>;
   template <class Number>
-  using Array = LaneArray<Number, W>;
+  using Array = SimdLaneArray<Number, W>;
 
-  const MotionParameters& motion;
-  const Oscillator& oscillator;
-  Stream* const* streams;
+  const StreamMotionParameters& motion;
+  const SimulatedOscillator& oscillator;
+  TrajectoryStream* const* streams;
   double* cells[W];  // histogram cells of each stream
   Real y{}, v{}, time_to_impulse{}, time_to_kick{}, time_to_sample{}, remaining{}, time_to_rest{};
   Real weight{};
-  Real powers[kPowers.size()]{};
+  Real powers[kRecordedMomentPowers.size()]{};
   Real y5{}, y6{};
   Real force{}, force_y{}, force_v{};
   Real samples{}, impacts{}, flights{};
   Real noise_factor{}, impulse_factor{};  // sums of G = g^2 and of b^2
   Real left_momentum{}, left_energy{}, right_momentum{}, right_energy{};
   Real rest_left{}, rest_right{};
-  IntegratorState<Real> integrator{};  // used if Motion::kHasFormula
+  FlightIntegratorState<Real> integrator{};  // used if Motion::kHasFormula
   Real beyond_wall{};  // y of the flight polynomial at the next impact, 0 up to rounding
 
-  FPKCHECK_INLINE LaneState(const MotionParameters& m, Stream* const* s)
+  FPKCHECK_INLINE SimdLaneStates(const StreamMotionParameters& m, TrajectoryStream* const* s)
       : motion(m), oscillator(m.oscillator), streams(s) {
     for (int i = 0; i < W; ++i) cells[i] = streams[i]->record.histogram.weights().data();
   }
@@ -91,7 +91,7 @@ struct LaneState {
     if constexpr (Motion::kHasKicks) visit(self.time_to_kick, &TrajectoryBranch::time_to_kick);
     if constexpr (Motion::kHasRest) visit(self.time_to_rest, &TrajectoryBranch::time_to_rest);
   }
-  FPKCHECK_INLINE void load_states() {
+  FPKCHECK_INLINE void load_branch_states() {
     for_each_branch_member(
         *this, [&](Real & lanes, double TrajectoryBranch::*member) __attribute__((always_inline)) {
           Array<double> numbers;
@@ -99,43 +99,43 @@ struct LaneState {
           lanes = simd::load<Real>(numbers.at);
         });
     Array<double> weights;
-    for (int i = 0; i < W; ++i) weights.at[i] = branch_weight(motion, *streams[i]);
+    for (int i = 0; i < W; ++i) weights.at[i] = branch_statistical_weight(motion, *streams[i]);
     weight = simd::load<Real>(weights.at);
   }
-  FPKCHECK_INLINE void store_states() const {
+  FPKCHECK_INLINE void store_branch_states() const {
     for_each_branch_member(
         *this, [&](const Real& lanes, double TrajectoryBranch::*member)
                    __attribute__((always_inline)) {
                      for (int i = 0; i < W; ++i)
-                       streams[i]->branch.*member = simd::lane_value(lanes, i);
+                       streams[i]->branch.*member = simd::value_in_lane(lanes, i);
                    });
   }
 
-  FPKCHECK_INLINE void store_sums() const {
-    const auto add = [&](const Real& sums, double StreamStatistics::*member)
+  FPKCHECK_INLINE void store_statistical_sums() const {
+    const auto add = [&](const Real& sums, double TrajectoryStreamStatistics::*member)
         __attribute__((always_inline)) {
-      for (int i = 0; i < W; ++i) streams[i]->record.*member += simd::lane_value(sums, i);
+      for (int i = 0; i < W; ++i) streams[i]->record.*member += simd::value_in_lane(sums, i);
     };
-    add(y5, &StreamStatistics::y5);
-    add(y6, &StreamStatistics::y6);
-    add(force, &StreamStatistics::force);
-    add(force_y, &StreamStatistics::force_y);
-    add(force_v, &StreamStatistics::force_v);
-    add(noise_factor, &StreamStatistics::noise_factor);
-    add(impulse_factor, &StreamStatistics::impulse_factor);
-    add(samples, &StreamStatistics::samples);
-    add(rest_left, &StreamStatistics::rest_left);
-    add(rest_right, &StreamStatistics::rest_right);
-    add(impacts, &StreamStatistics::impacts);
-    add(left_momentum, &StreamStatistics::left_momentum);
-    add(left_energy, &StreamStatistics::left_energy);
-    add(right_momentum, &StreamStatistics::right_momentum);
-    add(right_energy, &StreamStatistics::right_energy);
+    add(y5, &TrajectoryStreamStatistics::y5);
+    add(y6, &TrajectoryStreamStatistics::y6);
+    add(force, &TrajectoryStreamStatistics::force);
+    add(force_y, &TrajectoryStreamStatistics::force_y);
+    add(force_v, &TrajectoryStreamStatistics::force_v);
+    add(noise_factor, &TrajectoryStreamStatistics::noise_factor);
+    add(impulse_factor, &TrajectoryStreamStatistics::impulse_factor);
+    add(samples, &TrajectoryStreamStatistics::samples);
+    add(rest_left, &TrajectoryStreamStatistics::rest_left);
+    add(rest_right, &TrajectoryStreamStatistics::rest_right);
+    add(impacts, &TrajectoryStreamStatistics::impacts);
+    add(left_momentum, &TrajectoryStreamStatistics::left_momentum);
+    add(left_energy, &TrajectoryStreamStatistics::left_energy);
+    add(right_momentum, &TrajectoryStreamStatistics::right_momentum);
+    add(right_energy, &TrajectoryStreamStatistics::right_energy);
     for (int i = 0; i < W; ++i) {
-      StreamStatistics& record = streams[i]->record;
-      for (std::size_t p = 0; p < kPowers.size(); ++p)
-        record.powers[p] += simd::lane_value(powers[p], i);
-      record.flights += static_cast<std::uint64_t>(simd::lane_value(flights, i));
+      TrajectoryStreamStatistics& record = streams[i]->record;
+      for (std::size_t p = 0; p < kRecordedMomentPowers.size(); ++p)
+        record.powers[p] += simd::value_in_lane(powers[p], i);
+      record.flights += static_cast<std::uint64_t>(simd::value_in_lane(flights, i));
     }
   }
 
@@ -152,32 +152,32 @@ struct LaneState {
     }
   }
 
-  /// Applies a function of the lane number to the lanes of a mask; other lanes return 0.
+  /// Applies a function of the SIMD lane number to the lanes of a mask; other lanes return 0.
   template <class Function>
   FPKCHECK_INLINE static Real evaluate_in_lanes(const Mask& wanted, const Function& function) {
     Array<double> values{};
     for (int i = 0; i < W; ++i) {
-      if (simd::lane_value(wanted, i) != 0) values.at[i] = function(i);
+      if (simd::value_in_lane(wanted, i) != 0) values.at[i] = function(i);
     }
     return simd::load<Real>(values.at);
   }
 
   /// Applies the impact law, paper (2), at one wall.
   /// @param inwards 1 at the left wall, -1 at the right wall
-  FPKCHECK_INLINE void apply_impact(const Wall& wall, double inwards, const Mask& active,
+  FPKCHECK_INLINE void apply_impact(const SimulatedWall& wall, double inwards, const Mask& active,
                                     Real& momentum_sum, Real& energy_sum) {
     const double position = Motion::kHasAnyWalls ? wall.position : 0.0;
     const Real speed = -inwards * v;
     Mask impact = active & (inwards * (y - position) <= 0.0);
     if constexpr (Motion::kHasRest) {
-      // With a positive contact force the mass returns to the wall at any speed, and may come to
-      // rest.
+      // If a positive contact force presses the mass on the wall, the mass returns to the wall at
+      // any speed, and may come to rest.
       impact =
           impact & (time_to_rest < 0.0) & (wall.contact_force > 0 ? speed >= 0.0 : speed > 0.0);
     } else {
       impact = impact & (speed > 0.0);
     }
-    if (!simd::any_lane_set(impact)) return;
+    if (!simd::any_mask_lane_set(impact)) return;
     const Real event_weight = simd::select_or_zero(impact, weight);
     if (motion.records) impacts = impacts + event_weight;
     Real after{};
@@ -191,7 +191,7 @@ struct LaneState {
       after = -wall.restitution * v;
       if constexpr (Motion::kHasRest) {
         if (wall.contact_force > 0)
-          sum_bounces(wall, speed, impact, after, momentum_sum, energy_sum);
+          replace_bounces_by_geometric_sum(wall, speed, impact, after, momentum_sum, energy_sum);
       }
     }
     if constexpr (Motion::kDeposits) {
@@ -201,24 +201,24 @@ struct LaneState {
   }
 
   /// Returns the velocity after impacts at a wall with a formula r(u), and adds the changes of the
-  /// momentum and the lost energies. After an impact slower than Wall::rest_speed the bounces end
-  /// after total_bounce_time() with the mass at rest: the bounces lose the remaining energy, and
-  /// contact force and wall change the momentum by equal amounts.
-  FPKCHECK_INLINE Real velocity_after_impact(const Wall& wall, const Real& speed,
+  /// momentum and the lost energies. After an impact slower than SimulatedWall::rest_speed the
+  /// bounces end after total_bounce_time() with the mass at rest: the bounces lose the remaining
+  /// energy, and contact force and wall change the momentum by equal amounts.
+  FPKCHECK_INLINE Real velocity_after_impact(const SimulatedWall& wall, const Real& speed,
                                              const Mask& impact, const Real& event_weight,
                                              Real& momentum_sum, Real& energy_sum) {
     const Real r = evaluate_in_lanes(
         impact, [&](int i) __attribute__((always_inline)) {
-          return restitution_at_speed(wall, simd::lane_value(speed, i));
+          return restitution_at_speed(wall, simd::value_in_lane(speed, i));
         });
     Real after = -r * v, momentum = (1.0 + r) * speed,
          energy = (1.0 - r * r) * (speed * speed) * 0.5;
     if constexpr (Motion::kHasRest) {
       const Mask stays = impact & (speed < wall.rest_speed);
-      if (wall.contact_force > 0 && simd::any_lane_set(stays)) {
+      if (wall.contact_force > 0 && simd::any_mask_lane_set(stays)) {
         const Real time = evaluate_in_lanes(
             stays, [&](int i) __attribute__((always_inline)) {
-              return total_bounce_time(wall, simd::lane_value(speed, i));
+              return total_bounce_time(wall, simd::value_in_lane(speed, i));
             });
         time_to_rest = simd::select(stays, time, time_to_rest);
         after = simd::select(stays, Real{}, after);
@@ -234,18 +234,20 @@ struct LaneState {
     return after;
   }
 
-  /// Replaces the bounces after an impact slower than Wall::rest_speed by the sum of a geometric
-  /// series, and keeps the mass at the wall.
-  FPKCHECK_INLINE void sum_bounces(const Wall& wall, const Real& speed, const Mask& impact,
-                                   Real& after, Real& momentum_sum, Real& energy_sum) {
+  /// Replaces the bounces after an impact slower than SimulatedWall::rest_speed by the sum of a
+  /// geometric series, and keeps the mass at the wall.
+  FPKCHECK_INLINE void replace_bounces_by_geometric_sum(const SimulatedWall& wall,
+                                                        const Real& speed, const Mask& impact,
+                                                        Real& after, Real& momentum_sum,
+                                                        Real& energy_sum) {
     const double r = wall.restitution;
     const Mask stays = impact & (speed < wall.rest_speed);
-    if (!simd::any_lane_set(stays)) return;
+    if (!simd::any_mask_lane_set(stays)) return;
     // Bounce n = 1, 2, .. starts at the speed u_n = r^n speed and takes the time 2 u_n /
     // contact_force. For r = 1 the bounces never end.
     constexpr double kNoEnd = 1e300;
     const double times = r < 1 ? 2 * r / ((1 - r) * wall.contact_force) : 0;
-    const Real time = r < 1 ? speed * times : simd::broadcast<Real>(kNoEnd);
+    const Real time = r < 1 ? speed * times : simd::all_lanes_equal_to<Real>(kNoEnd);
     time_to_rest = simd::select(stays, time, time_to_rest);
     after = simd::select(stays, Real{}, after);
     if (motion.records && r < 1) {
@@ -257,10 +259,10 @@ struct LaneState {
 
   FPKCHECK_INLINE void deposit_impacts(const Mask& impact, const Real& after) {
     for (int i = 0; i < W; ++i) {
-      if (simd::lane_value(impact, i) == 0) continue;
-      deposit_impact(*motion.deposit, streams[i]->record.deposit, simd::lane_value(beyond_wall, i),
-                     simd::lane_value(v, i), simd::lane_value(after, i),
-                     simd::lane_value(weight, i));
+      if (simd::value_in_lane(impact, i) == 0) continue;
+      deposit_impact(*motion.deposit, streams[i]->record.deposit,
+                     simd::value_in_lane(beyond_wall, i), simd::value_in_lane(v, i),
+                     simd::value_in_lane(after, i), simd::value_in_lane(weight, i));
     }
     beyond_wall = simd::select(impact, Real{}, beyond_wall);
   }
@@ -269,37 +271,39 @@ struct LaneState {
                                       const Mask& in_contact) {
     for (;;) {
       const Mask due = time_to_sample < span;
-      if (!simd::any_lane_set(due)) break;
+      if (!simd::any_mask_lane_set(due)) break;
       const Real time = simd::select_or_zero(due, time_to_sample);
       const PhaseState<Real> at = flight.state_at_time(time);
       if constexpr (Motion::kHasRest) {
-        add_sample(at, due, due & in_contact & (time_to_rest <= time));
+        add_sample_to_statistics(at, due, due & in_contact & (time_to_rest <= time));
       } else {
-        add_sample(at, due, due);
+        add_sample_to_statistics(at, due, due);
       }
-      if (motion.keeps_series) append_to_series(at.y, due);
+      if (motion.records_displacement_series) append_to_series(at.y, due);
       if (motion.keeps_states) append_to_states(at, remaining - time, due);
       if constexpr (Motion::kDeposits) {
         if (motion.deposit) deposit_due_samples(at, flight.polynomial_acceleration(time), due);
       }
-      time_to_sample = time_to_sample +
-                       simd::select_or_zero(due, simd::broadcast<Real>(motion.sampling_interval));
+      time_to_sample =
+          time_to_sample +
+          simd::select_or_zero(due, simd::all_lanes_equal_to<Real>(motion.sampling_interval));
     }
     time_to_sample = time_to_sample - span;
   }
 
   FPKCHECK_INLINE void append_to_series(const Real& y_value, const Mask& due) const {
     for (int i = 0; i < W; ++i) {
-      if (simd::lane_value(due, i) != 0) streams[i]->series.push_back(simd::lane_value(y_value, i));
+      if (simd::value_in_lane(due, i) != 0)
+        streams[i]->series.push_back(simd::value_in_lane(y_value, i));
     }
   }
 
   FPKCHECK_INLINE void append_to_states(const PhaseState<Real>& at, const Real& time_to_end,
                                         const Mask& due) const {
     for (int i = 0; i < W; ++i) {
-      if (simd::lane_value(due, i) == 0) continue;
-      streams[i]->states.push_back(
-          {simd::lane_value(time_to_end, i), simd::lane_value(at.y, i), simd::lane_value(at.v, i)});
+      if (simd::value_in_lane(due, i) == 0) continue;
+      streams[i]->states.push_back({simd::value_in_lane(time_to_end, i),
+                                    simd::value_in_lane(at.y, i), simd::value_in_lane(at.v, i)});
     }
   }
 
@@ -313,15 +317,15 @@ struct LaneState {
     simd::store(acceleration, as.at);
 #pragma GCC unroll 1
     for (int i = 0; i < W; ++i) {
-      if (simd::lane_value(due, i) == 0) continue;
+      if (simd::value_in_lane(due, i) == 0) continue;
       deposit_sample(*motion.deposit, streams[i]->record.deposit, ys.at[i], vs.at[i], as.at[i],
-                     simd::lane_value(weight, i));
+                     simd::value_in_lane(weight, i));
     }
   }
 
-  // A lane without a due sample has the weight 0.
-  FPKCHECK_INLINE void add_sample(const PhaseState<Real>& at, const Mask& due,
-                                  [[maybe_unused]] const Mask& at_rest) {
+  // A SIMD lane without a due sample has the weight 0.
+  FPKCHECK_INLINE void add_sample_to_statistics(const PhaseState<Real>& at, const Mask& due,
+                                                [[maybe_unused]] const Mask& at_rest) {
     const Real sample_weight = simd::select_or_zero(due, weight);
     add_weighted_monomials(at, sample_weight, powers);
     samples = samples + sample_weight;
@@ -334,7 +338,7 @@ struct LaneState {
       const Real x = at.y, xx = x * x;
       y5 = y5 + sample_weight * (xx * xx * x);
       y6 = y6 + sample_weight * (xx * xx * xx);
-      if (!motion.kicks.is_present() && simd::any_lane_set(at_rest)) {
+      if (!motion.kicks.is_acting() && simd::any_mask_lane_set(at_rest)) {
         into_bins = simd::select(at_rest, Real{}, sample_weight);
         add_resting_samples(x, simd::select_or_zero(at_rest, weight));
       }
@@ -345,8 +349,8 @@ struct LaneState {
 
   FPKCHECK_INLINE void add_force_sums(const PhaseState<Real>& at, const Real& sample_weight,
                                       const Mask& due) {
-    const PackedStates<Real> states(at, due);
-    typename PackedStates<Real>::Numbers values;
+    const PackedOscillatorStates<Real> states(at, due);
+    typename PackedOscillatorStates<Real>::Numbers values;
     evaluate_ito_forces(oscillator, states.count, states.y.at, states.v.at, values.at);
     const Real weighted = sample_weight * states.unpack(values);
     force = force + weighted;
@@ -362,7 +366,7 @@ struct LaneState {
                                                const Real& sample_weight) {
     Array<double> factors;
     for (int i = 0; i < W; ++i) {
-      factors.at[i] = mcs::impulse_factor(oscillator, simd::lane_value(at.y, i));
+      factors.at[i] = mcs::impulse_factor(oscillator, simd::value_in_lane(at.y, i));
     }
     const Real b = simd::load<Real>(factors.at);
     impulse_factor = impulse_factor + sample_weight * (b * b);
@@ -378,26 +382,27 @@ struct LaneState {
     rest_left = rest_left + (resting - there);
   }
 
-  // Rounding may place a sample at an impact slightly behind a wall.
+  // A sample at the time of an impact may lie slightly behind the wall because of rounding.
   FPKCHECK_INLINE Real clamp_between_walls(const Real& x) const {
     Real between = x;
     if (Motion::kHasAnyWalls && oscillator.right.exists) {
-      const double last = oscillator.right.position - motion.y_bins->edge_epsilon();
-      between = simd::lanewise_min(between, simd::broadcast<Real>(last));
+      const double last = oscillator.right.position - motion.y_bins->bin_edge_epsilon();
+      between = simd::lanewise_min(between, simd::all_lanes_equal_to<Real>(last));
     }
     if (!Motion::kHasAnyWalls || oscillator.left.exists)
       between = simd::lanewise_max(between, Real{});
     return between;
   }
 
-  /// Adds the weight of each lane in `lanes` to the bin that contains y_value.
-  FPKCHECK_INLINE void add_weights_to_y_bins(std::vector<double> StreamStatistics::*bin_weights,
-                                             const Real& y_value, const Mask& lanes) {
-    if (!simd::any_lane_set(lanes)) return;
+  /// Adds the statistical weight of each SIMD lane in `lanes` to the bin that contains y_value.
+  FPKCHECK_INLINE void add_weights_to_y_bins(
+      std::vector<double> TrajectoryStreamStatistics::*bin_weights, const Real& y_value,
+      const Mask& lanes) {
+    if (!simd::any_mask_lane_set(lanes)) return;
     for (int i = 0; i < W; ++i) {
-      if (simd::lane_value(lanes, i) == 0) continue;
-      (streams[i]->record.*bin_weights)[(*motion.y_bins)(simd::lane_value(y_value, i))] +=
-          simd::lane_value(weight, i);
+      if (simd::value_in_lane(lanes, i) == 0) continue;
+      (streams[i]->record.*bin_weights)[(*motion.y_bins)(simd::value_in_lane(y_value, i))] +=
+          simd::value_in_lane(weight, i);
     }
   }
 
@@ -405,7 +410,7 @@ struct LaneState {
   FPKCHECK_INLINE void end_flight_at_single_wall(const Flight& flight, Real& span,
                                                  PhaseState<Real>& end) {
     const Mask impact = (end.y < 0.0) & (y > 0.0);
-    if (simd::any_lane_set(impact)) {
+    if (simd::any_mask_lane_set(impact)) {
       span = simd::select(impact, flight.impact_time(span, end, impact), span);
       const PhaseState<Real> at_wall = flight.state_at_time(span);
       end.v = simd::select(impact, at_wall.v, end.v);
@@ -414,21 +419,21 @@ struct LaneState {
     }
     if (!motion.records) return;
     const Mask peak = (v > 0.0) & (end.v < 0.0);
-    if (!simd::any_lane_set(peak)) return;
-    const Real height = flight.state_at_time(flight.peak_time(span, end)).y;
-    add_weights_to_y_bins(&StreamStatistics::peaks, height, peak);
+    if (!simd::any_mask_lane_set(peak)) return;
+    const Real height = flight.state_at_time(flight.displacement_peak_time(span, end)).y;
+    add_weights_to_y_bins(&TrajectoryStreamStatistics::peaks, height, peak);
   }
 
   /// Ends a PolynomialFlight at the first impact in [0, span], if present, and counts extremes of
-  /// y. The velocity changes sign at most once, so y at both ends and at the extreme determine the
-  /// impacts. The signs of y at the ends alone miss the return to a wall with positive contact
-  /// force, and a short excursion behind a wall.
+  /// y. The velocity changes sign at most once in a flight, so that y at the two ends and at the
+  /// extreme determine the impacts. The signs of y at the ends alone miss the return to a wall with
+  /// positive contact force, and a short excursion behind a wall.
   FPKCHECK_INLINE void end_flight_at_first_wall(const Flight& flight, Real& span,
                                                 PhaseState<Real>& end, const Mask& free) {
-    const Oscillator& o = oscillator;
+    const SimulatedOscillator& o = oscillator;
     const Mask turned = free & (v * end.v < 0.0);
     Real turning{}, extreme = y;
-    if (simd::any_lane_set(turned)) {
+    if (simd::any_mask_lane_set(turned)) {
       turning = flight.turning_time(span, end, turned);
       extreme = flight.state_at_time(turning).y;
     }
@@ -447,10 +452,11 @@ struct LaneState {
     left = left_first | (left & (right_first == none));
     right = right_first | (right & (left_first == none));
     const Mask impact = left | right;
-    if (simd::any_lane_set(impact)) {
-      const Real wall = simd::select(right, simd::broadcast<Real>(o.right.position), Real{});
-      const Real inside =
-          simd::select(right, simd::broadcast<Real>(-1.0), simd::broadcast<Real>(1.0));
+    if (simd::any_mask_lane_set(impact)) {
+      const Real wall =
+          simd::select(right, simd::all_lanes_equal_to<Real>(o.right.position), Real{});
+      const Real inside = simd::select(right, simd::all_lanes_equal_to<Real>(-1.0),
+                                       simd::all_lanes_equal_to<Real>(1.0));
       const Mask after_turn = turned & (first == none);
       const Real low = simd::select(after_turn, turning, Real{});
       const Real high = simd::select(first, turning, span);
@@ -471,44 +477,48 @@ struct LaneState {
       end.y = simd::select(impact, wall, end.y);
     }
     if (!motion.records) return;
-    add_weights_to_y_bins(&StreamStatistics::peaks, extreme, high_turn & (right_first == none));
-    add_weights_to_y_bins(&StreamStatistics::troughs, extreme, low_turn & (left_first == none));
+    add_weights_to_y_bins(&TrajectoryStreamStatistics::peaks, extreme,
+                          high_turn & (right_first == none));
+    add_weights_to_y_bins(&TrajectoryStreamStatistics::troughs, extreme,
+                          low_turn & (left_first == none));
     if (o.right.exists) {
-      add_weights_to_y_bins(&StreamStatistics::peaks,
-                            simd::broadcast<Real>(o.right.position - motion.y_bins->edge_epsilon()),
-                            right);
+      add_weights_to_y_bins(
+          &TrajectoryStreamStatistics::peaks,
+          simd::all_lanes_equal_to<Real>(o.right.position - motion.y_bins->bin_edge_epsilon()),
+          right);
     }
   }
 
   FPKCHECK_INLINE void apply_impulses_and_kicks(const Mask& active) {
     const Mask impulse_now = active & (time_to_impulse <= 0.0);
     if (motion.splitting) {  // kicks and splitting exclude each other
-      if (!simd::any_lane_set(impulse_now) && !simd::any_lane_set(active & (remaining <= 0.0)))
+      if (!simd::any_mask_lane_set(impulse_now) &&
+          !simd::any_mask_lane_set(active & (remaining <= 0.0)))
         return;
-      store_states();
+      store_branch_states();
       for (int i = 0; i < W; ++i) {
-        Stream& stream = *streams[i];
-        if (simd::lane_value(impulse_now, i) != 0) apply_impulse(motion, stream);
+        TrajectoryStream& stream = *streams[i];
+        if (simd::value_in_lane(impulse_now, i) != 0) apply_impulse(motion, stream);
         while (stream.branch.remaining <= 0 && !stream.is_on_main_branch())
           resume_pending_branch(stream);
       }
-      load_states();
+      load_branch_states();
       return;
     }
     Mask now = impulse_now;
     if constexpr (Motion::kHasKicks) now = now | (active & (time_to_kick <= 0.0));
-    if (!simd::any_lane_set(now)) return;
+    if (!simd::any_mask_lane_set(now)) return;
     Array<double> ys, vs, times_to_impulse, kicks, remaining_times;
     simd::store(remaining, remaining_times.at);
     simd::store(y, ys.at);
     simd::store(v, vs.at);
     simd::store(time_to_impulse, times_to_impulse.at);
     if constexpr (Motion::kHasKicks) simd::store(time_to_kick, kicks.at);
-    Stream* kicked[W];  // streams with kicks of multiplicative noise
+    TrajectoryStream* kicked[W];  // streams with kicks of multiplicative noise
     int kicked_lane[W], kicked_count = 0;
     for (int i = 0; i < W; ++i) {
-      if (simd::lane_value(now, i) == 0) continue;
-      Stream& stream = *streams[i];
+      if (simd::value_in_lane(now, i) == 0) continue;
+      TrajectoryStream& stream = *streams[i];
       TrajectoryBranch& b = stream.branch;
       b.y = ys.at[i];
       b.v = vs.at[i];
@@ -542,10 +552,10 @@ struct LaneState {
     if constexpr (Motion::kHasKicks) time_to_kick = simd::load<Real>(kicks.at);
     // Impulses and kicks end the rest of the mass on a wall.
     if constexpr (Motion::kHasRest)
-      time_to_rest = simd::select(now, simd::broadcast<Real>(-1.0), time_to_rest);
+      time_to_rest = simd::select(now, simd::all_lanes_equal_to<Real>(-1.0), time_to_rest);
   }
 
-  FPKCHECK_INLINE Flight make_flight(const Oscillator& of_flights,
+  FPKCHECK_INLINE Flight make_flight(const SimulatedOscillator& of_flights,
                                      [[maybe_unused]] const Real& until_event,
                                      [[maybe_unused]] const Mask& active) {
     if constexpr (Motion::kHasFormula) {
@@ -558,16 +568,16 @@ struct LaneState {
   }
 
   FPKCHECK_INLINE void advance_streams() {
-    // A copy of the oscillator allows optimisation, since the compiler must assume that stores of
-    // sums change the original.
-    const Oscillator of_flights = oscillator;
-    load_states();
+    // A local copy of the oscillator allows optimisation, since the compiler must assume that
+    // stores of sums change the original oscillator.
+    const SimulatedOscillator of_flights = oscillator;
+    load_branch_states();
     for (;;) {
       const Mask active = remaining > 0.0;
-      if (!simd::any_lane_set(active)) break;
+      if (!simd::any_mask_lane_set(active)) break;
       // Every iteration advances the time of a lane, ends at a wall, or rejects the step of a
       // FormulaFlight. At a wall the velocity points inwards or the mass rests, so the next
-      // iteration advances the time. After a rejected step the next step is shorter.
+      // iteration advances the time. After a rejected integration step the next step is shorter.
       apply_impacts(active);
       Real span = simd::lanewise_min(time_to_impulse, remaining);
       if constexpr (Motion::kHasKicks) span = simd::lanewise_min(span, time_to_kick);
@@ -575,7 +585,7 @@ struct LaneState {
       Mask in_contact = active, free = active;
       if constexpr (Motion::kHasRest) {
         in_contact = time_to_rest >= 0.0;
-        if (simd::any_lane_set(in_contact)) flight.hold_mass_at_initial_position(in_contact);
+        if (simd::any_mask_lane_set(in_contact)) flight.hold_mass_at_initial_position(in_contact);
         free = active & (time_to_rest < 0.0);
         span = simd::select(free, simd::lanewise_min(span, flight.max_step(motion.step)), span);
       } else {
@@ -589,7 +599,7 @@ struct LaneState {
         end_flight_at_single_wall(flight, span, end);
       }
       if (motion.records) {
-        flights = flights + simd::select_or_zero(active, simd::broadcast<Real>(1.0));
+        flights = flights + simd::select_or_zero(active, simd::all_lanes_equal_to<Real>(1.0));
         record_samples(flight, span, in_contact);
       }
       remaining = remaining - span;
@@ -603,12 +613,12 @@ struct LaneState {
       y = end.y;
       if (!Motion::kHasAnyWalls || oscillator.left.exists) y = simd::lanewise_max(y, Real{});
       if (Motion::kHasAnyWalls && oscillator.right.exists)
-        y = simd::lanewise_min(y, simd::broadcast<Real>(oscillator.right.position));
+        y = simd::lanewise_min(y, simd::all_lanes_equal_to<Real>(oscillator.right.position));
       v = end.v;
       apply_impulses_and_kicks(active);
     }
-    store_states();
-    if (motion.records) store_sums();
+    store_branch_states();
+    if (motion.records) store_statistical_sums();
   }
 };
 
@@ -617,20 +627,22 @@ struct LaneState {
 inline constexpr int kOrderOfFlights = 12, kOrderBetweenKicks = 8;
 
 template <int W>
-void advance_one_stream_per_lane(const MotionParameters& motion, Stream* const* streams) {
+void advance_one_stream_per_lane(const StreamMotionParameters& motion,
+                                 TrajectoryStream* const* streams) {
   if (motion.oscillator.is_duffing_at_wall()) {
-    LaneState<W, DuffingMotion>(motion, streams).advance_streams();
-  } else if (motion.oscillator.kind == Oscillator::Kind::formula) {
-    LaneState<W, FormulaMotion>(motion, streams).advance_streams();
-  } else if (motion.kicks.is_present()) {
-    LaneState<W, PolynomialMotion<kOrderBetweenKicks>>(motion, streams).advance_streams();
+    SimdLaneStates<W, DuffingMotion>(motion, streams).advance_streams();
+  } else if (motion.oscillator.kind == SimulatedOscillator::Kind::formula) {
+    SimdLaneStates<W, FormulaMotion>(motion, streams).advance_streams();
+  } else if (motion.kicks.is_acting()) {
+    SimdLaneStates<W, PolynomialMotion<kOrderBetweenKicks>>(motion, streams).advance_streams();
   } else {
-    LaneState<W, PolynomialMotion<kOrderOfFlights>>(motion, streams).advance_streams();
+    SimdLaneStates<W, PolynomialMotion<kOrderOfFlights>>(motion, streams).advance_streams();
   }
 }
 
 template <int... Widths>
-void advance_lane_group(const MotionParameters& motion, Stream* const* streams, int stream_count) {
+void advance_lane_group(const StreamMotionParameters& motion, TrajectoryStream* const* streams,
+                        int stream_count) {
   ((stream_count == Widths ? advance_one_stream_per_lane<Widths>(motion, streams) : void()), ...);
 }
 

@@ -4,9 +4,9 @@
 
 namespace fpkcheck::mcs {
 
-/// Flights of a hardening Duffing oscillator (Oscillator::Kind::duffing_at_wall), paper (1) without
-/// impulses: y'' = -(c y' + k y + mu y^3) with c, k, mu >= 0, in y >= 0. The initial energy bounds
-/// the frequency of the whole flight, since the energy does not grow during a flight.
+/// Flights of a hardening Duffing oscillator (SimulatedOscillator::Kind::duffing_at_wall), paper
+/// (1) without impulses: y'' = -(c y' + k y + mu y^3) with c, k, mu >= 0, in y >= 0. The initial
+/// energy bounds the frequency of the whole flight, since the energy does not grow during a flight.
 template <class Real>
 class DuffingFlight : public TaylorFlight<Real, 12> {
   using Base = TaylorFlight<Real, 12>;
@@ -18,19 +18,20 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   using Base::state_at_time;
 
   /// @param oscillator must outlive the flight
-  FPKCHECK_INLINE DuffingFlight(const Oscillator& oscillator, const PhaseState<Real>& start)
+  FPKCHECK_INLINE DuffingFlight(const SimulatedOscillator& oscillator,
+                                const PhaseState<Real>& start)
       : Base(oscillator, start), frequency_bound_(frequency_bound(oscillator, start)) {
     compute_taylor_coefficients();
   }
-  DuffingFlight(Oscillator&&, const PhaseState<Real>&) = delete;
+  DuffingFlight(SimulatedOscillator&&, const PhaseState<Real>&) = delete;
 
   /// Returns the longest time for which the polynomial is used: `phase` radians of the highest
   /// possible frequency.
   ///
   /// By Sturm's comparison theorem, zeros of a solution of y'' + c y' + (g(y)/y) y = 0 are at least
-  /// pi / sqrt(max g(y)/y) apart. For phase < pi a flight therefore has at most one impact, and no
-  /// impact if the flight starts at the wall with v >= 0. An impact occurs exactly if y < 0 at the
-  /// end of the flight, and impacts cannot accumulate.
+  /// pi / sqrt(max g(y)/y) apart. If `phase` is below pi, a flight therefore has at most one
+  /// impact, and no impact if the flight starts at the wall with v >= 0. An impact occurs exactly
+  /// if y < 0 at the end of the flight polynomial, and impacts cannot accumulate.
   FPKCHECK_INLINE Real max_step(double phase) const { return phase / frequency_bound_; }
 
   FPKCHECK_INLINE Real acceleration(const PhaseState<Real>& state) const {
@@ -40,7 +41,7 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   }
 
   /// Returns the zero of y(s) in [0, end], to rounding, in the lanes of `wanted`, where y(0) > 0 >
-  /// y(end). Lanes outside `wanted` return a finite number.
+  /// y(end). SIMD lanes outside the mask `wanted` return a finite number.
   template <class Mask>
   FPKCHECK_INLINE Real impact_time(const Real& end, const PhaseState<Real>& at_end,
                                    const Mask& wanted) const {
@@ -51,8 +52,9 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
       is_before = state.y >= 0.0;
       return s - state.y * state.v / (state.v * state.v - 0.5 * (state.y * acceleration(state)));
     };
-    // After a third-order correction of 1e-6 the remaining error is rounding.
-    return bracketed_zero(
+    // After a correction of relative size 1e-6 by Halley's third-order method, the remaining error
+    // is rounding.
+    return find_bracketed_zero(
         Real{}, end, impact_time_guess(end, at_end), wanted,
         halley, [&](const Real&) __attribute__((always_inline)) { return 1e-6 * end; });
   }
@@ -60,7 +62,8 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   /// Returns the time in [0, end] of the maximum of y, v(s) = 0, in the lanes where v(0) > 0 >
   /// v(end). The relative error of about 1e-5 in time causes an error of about 1e-10 in the
   /// maximum.
-  FPKCHECK_INLINE Real peak_time(const Real& end, const PhaseState<Real>& at_end) const {
+  FPKCHECK_INLINE Real displacement_peak_time(const Real& end,
+                                              const PhaseState<Real>& at_end) const {
     const Real chord = end * (a_[1] / (a_[1] - at_end.v));
     const PhaseState<Real> state = state_at_time(chord);
     const Real newton = chord - state.v / acceleration(state);
@@ -73,7 +76,8 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   /// Returns an upper bound of the frequency, which keeps the time step below the radius of
   /// convergence of the Taylor series. The bound is c plus the square root of the largest slope k +
   /// 3 mu y^2 of the force, where mu y^4 / 4 <= E = y'^2/2 + U(y).
-  FPKCHECK_INLINE static Real frequency_bound(const Oscillator& o, const PhaseState<Real>& start) {
+  FPKCHECK_INLINE static Real frequency_bound(const SimulatedOscillator& o,
+                                              const PhaseState<Real>& start) {
     const double k = o.force[1], mu = o.force[3];
     const Real y2 = start.y * start.y;
     const Real energy = 0.5 * (start.v * start.v) + y2 * (k / 2 + (mu / 4) * y2);
@@ -86,8 +90,8 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   FPKCHECK_INLINE void compute_taylor_coefficients() {
     const double c = oscillator_.damping[0], k = oscillator_.force[1], mu = oscillator_.force[3];
     std::array<Real, kOrder - 1> square;  // coefficients [y^2]_n
-    // Each sum adds the newest coefficients last, so that the chain of dependent operations is
-    // short.
+    // Each sum of the recursion adds the newest Taylor coefficients last, so that the chain of
+    // dependent operations is short.
 #pragma GCC unroll 16
     for (int n = 0; n + 2 <= kOrder; ++n) {
       Real pairs{};
@@ -105,7 +109,8 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   }
 
   /// Returns a first approximation of the impact time: s(0) of the cubic s(y) with the slopes 1/v
-  /// at both ends. If s(0) is outside the interval, returns the zero of the chord.
+  /// at both ends. If this approximation is outside the flight interval, the zero of the chord is
+  /// returned.
   FPKCHECK_INLINE Real impact_time_guess(const Real& end, const PhaseState<Real>& at_end) const {
     const Real drop = a_[0] - at_end.y;  // positive drop of y during the flight
     const Real u = a_[0] / drop;

@@ -8,9 +8,9 @@
 namespace fpkcheck::mcs {
 namespace {
 
-/// States of the lanes of a mask, packed for the evaluation of formulas.
+/// Oscillator states of the SIMD lanes of a mask, packed for the evaluation of formulas.
 template <class Real>
-struct PackedStates {
+struct PackedOscillatorStates {
   static constexpr int W = simd::kWidth<Real>;
   struct alignas(64) Numbers {
     double at[W];
@@ -19,18 +19,18 @@ struct PackedStates {
   int lane[W], count = 0;
 
   template <class Mask>
-  FPKCHECK_INLINE PackedStates(const PhaseState<Real>& at, const Mask& wanted) {
+  FPKCHECK_INLINE PackedOscillatorStates(const PhaseState<Real>& at, const Mask& wanted) {
     simd::store(at.y, y.at);
     simd::store(at.v, v.at);
     for (int i = 0; i < W; ++i) {
-      if (simd::lane_value(wanted, i) == 0) continue;
+      if (simd::value_in_lane(wanted, i) == 0) continue;
       y.at[count] = y.at[i];
       v.at[count] = v.at[i];
       lane[count++] = i;
     }
   }
 
-  /// Returns packed values in the lanes of the mask, 0 in other lanes.
+  /// Returns packed values in their SIMD lanes, and 0 in all other lanes.
   FPKCHECK_INLINE Real unpack(const Numbers& values) const {
     Numbers result{};
     for (int k = 0; k < count; ++k) result.at[lane[k]] = values.at[k];
@@ -40,9 +40,9 @@ struct PackedStates {
 
 /// Returns the force of the flights (evaluate_forces()) in the lanes of `wanted`, 0 in other lanes.
 template <class Real, class Mask>
-FPKCHECK_INLINE Real flight_forces(const Oscillator& oscillator, const PhaseState<Real>& at,
-                                   const Mask& wanted) {
-  typename PackedStates<Real>::Numbers y, v, force;
+FPKCHECK_INLINE Real flight_forces(const SimulatedOscillator& oscillator,
+                                   const PhaseState<Real>& at, const Mask& wanted) {
+  typename PackedOscillatorStates<Real>::Numbers y, v, force;
   simd::store(at.y, y.at);
   simd::store(at.v, v.at);
   evaluate_forces(oscillator, simd::kWidth<Real>, y.at, v.at, force.at);
@@ -51,8 +51,8 @@ FPKCHECK_INLINE Real flight_forces(const Oscillator& oscillator, const PhaseStat
 
 /// Returns the force F(t) at the times of the lanes.
 template <class Real>
-FPKCHECK_INLINE Real external_force(const Oscillator& oscillator, const Real& t) {
-  typename PackedStates<Real>::Numbers times, force;
+FPKCHECK_INLINE Real external_force(const SimulatedOscillator& oscillator, const Real& t) {
+  typename PackedOscillatorStates<Real>::Numbers times, force;
   simd::store(t, times.at);
   evaluate_external_forces(oscillator, simd::kWidth<Real>, times.at, force.at);
   return simd::load<Real>(force.at);
@@ -60,17 +60,17 @@ FPKCHECK_INLINE Real external_force(const Oscillator& oscillator, const Real& t)
 
 /// State and acceleration at the end of the previous flight, and next trial step, for each lane.
 template <class Real>
-struct IntegratorState {
+struct FlightIntegratorState {
   PhaseState<Real> end{};
   Real acceleration{};
-  Real step = simd::broadcast<Real>(1e300);
+  Real step = simd::all_lanes_equal_to<Real>(1e300);
 };
 
 /// Flights of an oscillator whose force is a formula: a step of the method of Dormand and Prince of
 /// order 5(4) (J. Comput. Appl. Math. 6, 1980), whose embedded solution of order 4 limits the step.
-/// A flight of duration 0 replaces a step that is not accurate, so that no lane waits for other
-/// lanes. The flight is the Hermite polynomial of degree 5 with the position, velocity and
-/// acceleration at both ends.
+/// A flight of duration 0 replaces an inaccurate step, so that no SIMD lane waits for other lanes.
+/// Within a flight the motion is the Hermite polynomial of degree 5 with the position, velocity and
+/// acceleration at the two ends.
 template <class Real>
 class FormulaFlight : public FreeFlight<Real, 6> {
   using Base = FreeFlight<Real, 6>;
@@ -79,15 +79,16 @@ class FormulaFlight : public FreeFlight<Real, 6> {
 
  public:
   /// @param oscillator must outlive the flight
-  /// @param time time of the start, used with Oscillator::external_force
+  /// @param time time of the start, used with SimulatedOscillator::external_force
   /// @param phase longest step in radians of the mean frequency; the tolerance is proportional to
   /// phase^5, so that all steps are proportional to `phase`
   /// @param until_event limit of the step
   /// @param moving lanes to integrate; the mass stays at its initial state in other lanes
   template <class Mask>
-  FPKCHECK_INLINE FormulaFlight(const Oscillator& oscillator, const PhaseState<Real>& start,
-                                const Real& time, double phase, const Real& until_event,
-                                const Mask& moving, IntegratorState<Real>& integrator)
+  FPKCHECK_INLINE FormulaFlight(const SimulatedOscillator& oscillator,
+                                const PhaseState<Real>& start, const Real& time, double phase,
+                                const Real& until_event, const Mask& moving,
+                                FlightIntegratorState<Real>& integrator)
       : Base(oscillator, start), start_time_(time), end_(start) {
     for (int n = 2; n <= Base::kOrder; ++n) a_[n] = Real{};
     const double relative = phase / kReferencePhase;
@@ -99,31 +100,34 @@ class FormulaFlight : public FreeFlight<Real, 6> {
     const Mask none = moving & (start.v != start.v);
     const Mask unknown = moving & (is_known == none);
     Real first = integrator.acceleration;
-    if (simd::any_lane_set(unknown))
+    if (simd::any_mask_lane_set(unknown))
       first = simd::select(unknown, acceleration(start, Real{}, unknown), first);
-    const Real trial = simd::lanewise_min(integrator.step, simd::broadcast<Real>(longest));
+    const Real trial = simd::lanewise_min(integrator.step, simd::all_lanes_equal_to<Real>(longest));
     step_ = simd::lanewise_min(trial, until_event);
     const Real error = take_step(first, moving) * (1.0 / tolerance);
-    // A trial state outside the domain of the formula has the error NaN.
-    const Real known_error = simd::select(error == error, error, simd::broadcast<Real>(1e100));
+    // A trial state outside the domain of the force formula gives the error estimate NaN.
+    const Real known_error =
+        simd::select(error == error, error, simd::all_lanes_equal_to<Real>(1e100));
     const Real next = step_ * step_factor(known_error);
-    // If the force at the start is not finite, a shorter step does not help.
+    // If the force at the start of an integration step is not finite, a shorter step does not help.
     const Mask rejected = moving & (known_error > 1.0) & (step_ > shortest) & (first == first);
     const Mask accepted = moving & (rejected == none);
     // The trial step does not decrease after a step that an event has shortened, and after a start
     // at which the force is not finite.
     const Mask keeps = (step_ == until_event) | (first != first);
     const Real after = simd::select(keeps, simd::lanewise_max(next, trial), next);
-    integrator.step = simd::select(
-        accepted, simd::lanewise_max(after, simd::broadcast<Real>(shortest)), integrator.step);
-    if (simd::any_lane_set(rejected)) undo_rejected_steps(start, first, next, rejected, integrator);
+    integrator.step =
+        simd::select(accepted, simd::lanewise_max(after, simd::all_lanes_equal_to<Real>(shortest)),
+                     integrator.step);
+    if (simd::any_mask_lane_set(rejected))
+      undo_rejected_steps(start, first, next, rejected, integrator);
     integrator.end.y = simd::select(moving, end_.y, integrator.end.y);
     integrator.end.v = simd::select(moving, end_.v, integrator.end.v);
     integrator.acceleration = simd::select(moving, end_acceleration_, integrator.acceleration);
   }
-  FormulaFlight(Oscillator&&, const PhaseState<Real>&) = delete;
+  FormulaFlight(SimulatedOscillator&&, const PhaseState<Real>&) = delete;
 
-  /// Returns the duration of the step that the constructor has chosen.
+  /// Returns the duration of the integration step that the constructor has chosen.
   FPKCHECK_INLINE Real max_step(double /*phase*/) const { return step_; }
 
   /// Returns the state at the time s. At the end of the step the result has no rounding errors of
@@ -134,33 +138,35 @@ class FormulaFlight : public FreeFlight<Real, 6> {
   }
 
  private:
-  // Default of Options::step, to which the constants below refer
+  // Default of SimulationOptions::step in radians, to which the following constants of the step
+  // control refer
   static constexpr double kReferencePhase = 0.9;
-  // Tolerances of the relative error of a step. A kink of the force lowers the order of the step.
-  // If the step is halved, E[y^2] changes by less than 1e-5 of its value for smooth and stiff
-  // forces and for kinks (test Formula.MomentsDoNotDependOnTheStep).
+  // Tolerances of the relative error of an integration step. A kink of the force lowers the order
+  // of the method. If the step is halved, E[y^2] changes by less than 1e-5 of its value for smooth
+  // and stiff forces and for kinks (test Formula.MomentsDoNotDependOnTheStep).
   static constexpr double kTolerance = 1e-6, kToleranceAtKinks = 3e-8;
   static constexpr double kLongestStep = 0.6;
-  // Shortest steps relative to the longest. At a jump of the force the error estimate would demand
-  // ever shorter steps while the velocity stays at the jump.
+  // Shortest integration steps relative to the longest step. At a jump of the force the error
+  // estimate would demand ever shorter steps while the velocity stays at the jump.
   static constexpr double kShortest = 1e-9, kShortestAtJumps = 1.0 / 256;
   static constexpr double kSafety = 0.9, kLeastFactor = 0.2, kLargestFactor = 5;
 
-  /// Returns the factor by which the step changes after an error, given as a multiple of the
-  /// tolerance: 0.9 error^(-3/16), within limits. Square roots give this power; the usual power
-  /// -1/5 needs a logarithm and an exponential.
+  /// Returns the factor by which the integration step changes after an error, given as a multiple
+  /// of the tolerance: 0.9 error^(-3/16), within limits. Square roots give this power; the usual
+  /// power -1/5 needs a logarithm and an exponential.
   FPKCHECK_INLINE static Real step_factor(const Real& error) {
     const Real root = simd::square_root(simd::square_root(simd::square_root(error + 1e-100)));
     const Real factor = kSafety / (root * simd::square_root(root));
-    return simd::lanewise_min(simd::lanewise_max(factor, simd::broadcast<Real>(kLeastFactor)),
-                              simd::broadcast<Real>(kLargestFactor));
+    return simd::lanewise_min(
+        simd::lanewise_max(factor, simd::all_lanes_equal_to<Real>(kLeastFactor)),
+        simd::all_lanes_equal_to<Real>(kLargestFactor));
   }
 
-  /// Replaces the rejected steps by steps of duration 0, and shortens the next trial steps.
+  /// Replaces rejected integration steps by steps of duration 0, and shortens the next trial steps.
   template <class Mask>
   FPKCHECK_INLINE void undo_rejected_steps(const PhaseState<Real>& start, const Real& first,
                                            const Real& next, const Mask& rejected,
-                                           IntegratorState<Real>& integrator) {
+                                           FlightIntegratorState<Real>& integrator) {
     step_ = simd::select(rejected, Real{}, step_);
     end_.y = simd::select(rejected, start.y, end_.y);
     end_.v = simd::select(rejected, start.v, end_.v);
@@ -176,15 +182,15 @@ class FormulaFlight : public FreeFlight<Real, 6> {
     return restoring + external_force(oscillator_, start_time_ + after_start);
   }
 
-  /// Takes one step in the lanes of `moving`.
+  /// Takes one integration step in the SIMD lanes of `moving`.
   /// @param first acceleration at the start
   /// @return the error estimate of the step relative to the extent of the motion
   template <class Mask>
   FPKCHECK_INLINE Real take_step(const Real& first, const Mask& moving) {
     using namespace dormand_prince;
     const Real h = step_, y = a_[0], v = a_[1];
-    // The velocity at a stage is v + h u. Sums of u, instead of v + h u, avoid rounding errors of
-    // v.
+    // The velocity at a stage is v + h u. Sums of the increments u, instead of the velocities v + h
+    // u, avoid rounding errors of v.
     Real k[kStages] = {first}, u[kStages]{};
     Real moved{};
     PhaseState<Real> end{};
@@ -203,7 +209,8 @@ class FormulaFlight : public FreeFlight<Real, 6> {
       y_error = y_error + kError[j] * u[j];
       v_error = v_error + kError[j] * k[j];
     }
-    // Differences between the end of the step and the parabola of the start, divided by h^2 and h.
+    // Differences between the state at the end of the step and the parabola through the start,
+    // divided by h^2 and by h, with the step h.
     const Real p = moved - 0.5 * first, q = u[kStages - 1] - first, r = k[kStages - 1] - first;
     const Real over = 1.0 / h;
     const auto set = [&](Real & to, const Real& from) __attribute__((always_inline)) {
@@ -221,8 +228,8 @@ class FormulaFlight : public FreeFlight<Real, 6> {
       return simd::lanewise_max(x, -x);
     };
     const Real extent = w * (oscillator_.length + size(y)) + size(v);
-    // The local frequency exceeds the mean frequency where the force is strong, as in a stiff
-    // contact.
+    // The local frequency exceeds the mean frequency where the restoring force is steep, for
+    // example in a stiff contact.
     const Real local = w + size(end_acceleration_) / extent;
     return h * (size(v_error) + local * size(h * y_error)) / extent;
   }

@@ -15,7 +15,7 @@ class FreeFlight : public TaylorFlight<Real, kOrder> {
   using Base::polynomial_acceleration;
   using Base::state_at_time;
 
-  /// Makes the flight constant in the lanes of `in_contact`.
+  /// Makes the flight polynomial constant in the SIMD lanes of the mask `in_contact`.
   template <class Mask>
   FPKCHECK_INLINE void hold_mass_at_initial_position(const Mask& in_contact) {
 #pragma GCC unroll 16
@@ -23,7 +23,7 @@ class FreeFlight : public TaylorFlight<Real, kOrder> {
   }
 
   /// Returns the zero of v in [0, end], in the lanes where v(0) and v(end) have different signs.
-  /// The error is 1e-6 of the time to either end, which causes an error of 1e-12 in y.
+  /// The relative error 1e-6 of the turning time causes an error of 1e-12 in y.
   template <class Mask>
   FPKCHECK_INLINE Real turning_time(const Real& end, const PhaseState<Real>& at_end,
                                     const Mask& wanted) const {
@@ -33,7 +33,7 @@ class FreeFlight : public TaylorFlight<Real, kOrder> {
       return s - v / polynomial_acceleration(s);
     };
     const Real chord = end * (a_[1] / (a_[1] - simd::select(wanted, at_end.v, -a_[1] - 1.0)));
-    return bracketed_zero(
+    return find_bracketed_zero(
         Real{}, end, chord, wanted, newton,
         [](const Real& s) __attribute__((always_inline)) { return 1e-4 * s; });
   }
@@ -51,8 +51,9 @@ class FreeFlight : public TaylorFlight<Real, kOrder> {
       return s - distance * speed /
                      (speed * speed - 0.5 * (distance * (inside * polynomial_acceleration(s))));
     };
-    // After a third-order correction of 1e-6 the remaining error is rounding.
-    return bracketed_zero(
+    // After a correction of relative size 1e-6 by Halley's third-order method, the remaining error
+    // is rounding.
+    return find_bracketed_zero(
         low, high, guess, wanted, halley,
         [](const Real& s) __attribute__((always_inline)) { return 1e-6 * s; });
   }

@@ -10,12 +10,13 @@
 namespace fpkcheck::mcs {
 namespace {
 
-constexpr int kMostPoints = static_cast<int>(problem::Expression::kBatch);
-// Tolerance of the error of a step, relative to the velocity. The errors of the kicks have random
-// signs, and their sum over a decay time of 1000 kicks remains below 1e-5 of the velocity.
+constexpr int kMostPoints = static_cast<int>(problem::Expression::kBatchPoints);
+// Tolerance of the error of an integration step of the flow dv/ds = g(y, v), relative to the
+// velocity. The errors of the kicks have random signs, and their sum over a decay time of 1000
+// kicks remains below 1e-5 of the velocity.
 constexpr double kKickTolerance = 1e-7;
-// Shortest step relative to the duration of the flow. Steps become this short only at jumps of g or
-// of the slope of g, and where g is not finite.
+// Shortest integration step, relative to the duration of the flow dv/ds = g(y, v). Steps become
+// this short only at jumps of g or of the slope of g, and where g is not finite.
 constexpr double kShortestPart = 1.0 / 1024;
 
 }  // namespace
@@ -66,7 +67,8 @@ void evaluate_noise_factor(const NoiseKicks& kicks, int count, const double* y, 
   kicks.factor->evaluate_batch(static_cast<std::size_t>(count), y, v, g);
 }
 
-void apply_multiplicative_kicks(const MotionParameters& motion, Stream* const* streams, int count) {
+void apply_multiplicative_kicks(const StreamMotionParameters& motion,
+                                TrajectoryStream* const* streams, int count) {
   const NoiseKicks& kicks = motion.kicks;
   double y[kMostPoints]{}, v[kMostPoints]{}, s[kMostPoints]{}, g[kMostPoints]{},
       next[kMostPoints]{}, variance[kMostPoints]{};
@@ -81,7 +83,7 @@ void apply_multiplicative_kicks(const MotionParameters& motion, Stream* const* s
   }
   advance_along_noise_flow(*kicks.factor, count, y, v, s, kicks.velocity_scale, g);
   for (int i = 0; i < count; ++i) {
-    Stream& stream = *streams[i];
+    TrajectoryStream& stream = *streams[i];
     TrajectoryBranch& b = stream.branch;
     const double before = b.v;
     b.v = v[i];

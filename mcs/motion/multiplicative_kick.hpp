@@ -21,6 +21,7 @@ void evaluate_noise_factor(const NoiseKicks& kicks, int count, const double* y, 
 /// Applies a kick of multiplicative noise to each of at most 8 streams. The kick is the exact
 /// solution of the equation dv = sqrt(2D) g(y, v) o dW in Stratonovich's sense at a fixed y, over a
 /// time h: the flow dv/ds = g(y, v) for the duration s = sqrt(2D h) N(0, 1).
-void apply_multiplicative_kicks(const MotionParameters& motion, Stream* const* streams, int count);
+void apply_multiplicative_kicks(const StreamMotionParameters& motion,
+                                TrajectoryStream* const* streams, int count);
 
 }  // namespace fpkcheck::mcs

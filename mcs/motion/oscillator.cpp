@@ -33,7 +33,8 @@ double largest_damping(const problem::System& system, const problem::MotionScale
   return largest + std::abs(system.rayleigh_coefficient()) * v2;
 }
 
-// Returns the largest value of (dg/dv)^2 = G_v^2 / (4 G).
+// Returns the largest squared velocity slope of the noise factor g, (dg/dv)^2 = G_v^2 / (4 G) with
+// G = g^2.
 double largest_square_slope(const problem::NoiseFactor& factor,
                             const problem::MotionScales& scales) {
   double largest = 0;
@@ -41,14 +42,14 @@ double largest_square_slope(const problem::NoiseFactor& factor,
     for (const double v : {-1.0, -0.3, 0.3, 1.0}) {
       const double at_y = scales.centre + y * scales.displacement_deviation,
                    at_v = v * scales.velocity_deviation;
-      const double slope = factor.square_slope_in_v(at_y, at_v);
-      largest = std::max(largest, slope * slope / (4 * factor.squared(at_y, at_v)));
+      const double slope = factor.squared_factor_slope_in_v(at_y, at_v);
+      largest = std::max(largest, slope * slope / (4 * factor.squared_factor(at_y, at_v)));
     }
   }
   return largest;
 }
 
-void set_formula_terms(const problem::Problem& problem, Oscillator& o) {
+void set_formula_terms(const problem::Problem& problem, SimulatedOscillator& o) {
   const problem::System& system = problem.system;
   o.system = &system;
   if (!system.has_polynomial_force()) {
@@ -58,22 +59,23 @@ void set_formula_terms(const problem::Problem& problem, Oscillator& o) {
   if (!problem.noise_factor || !problem.noise_factor->depends_on_v()) return;
   o.noise_factor = &*problem.noise_factor;
   o.diffusion = problem.noise.diffusion();
-  o.is_ito = problem.noise.interpretation == problem::NoiseInterpretation::ito;
+  o.is_force_in_ito_sense = problem.noise.interpretation == problem::NoiseInterpretation::ito;
   // In Ito's sense the force of the flights contains the slope of g, which jumps at a kink of g.
-  if (o.is_ito && problem.noise_factor->has_kinks()) o.has_jumps = o.has_kinks = true;
+  if (o.is_force_in_ito_sense && problem.noise_factor->has_kinks())
+    o.has_jumps = o.has_kinks = true;
 }
 
-double clamp_to_walls(const Oscillator& o, double y) {
+double clamp_to_walls(const SimulatedOscillator& o, double y) {
   if (o.left.exists) y = std::max(y, o.left.position);
   if (o.right.exists) y = std::min(y, o.right.position);
   return y;
 }
 
 void set_polynomial_coefficients(const problem::System& system, bool damping_in_kicks,
-                                 Oscillator& o) {
+                                 SimulatedOscillator& o) {
   for (std::size_t n = 0; n < o.force.size(); ++n)
     o.force[n] = system.restoring_force().coefficient(n);
-  // Constant damping c y' is part of the noise kicks.
+  // The damping force c y' is part of the noise kicks.
   if (!damping_in_kicks) {
     for (std::size_t n = 0; n < o.damping.size(); ++n) {
       o.damping[n] = system.damping_polynomial().coefficient(n);
@@ -88,8 +90,9 @@ bool has_formula_flights(const problem::Problem& problem) {
          problem.time.has_external_force();
 }
 
-Oscillator::Kind oscillator_kind(const problem::Problem& problem, const Oscillator& o) {
-  using Kind = Oscillator::Kind;
+SimulatedOscillator::Kind oscillator_kind(const problem::Problem& problem,
+                                          const SimulatedOscillator& o) {
+  using Kind = SimulatedOscillator::Kind;
   if (o.system != nullptr) return Kind::formula;
   const auto degree = problem.system.restoring_force().degree();
   const bool even_damping = o.damping[1] == 0 && o.damping[2] == 0;
@@ -113,13 +116,14 @@ bool is_duffing_at_wall(const problem::Problem& problem) {
                           k >= 0 && mu >= 0 && k + mu > 0;
   return is_duffing && system.has_constant_damping() && system.damping() > 0 &&
          system.left_wall() && system.left_wall()->position == 0 && !system.right_wall() &&
-         !problem.noise.is_present() && !problem.time.has_external_force();
+         !problem.noise.is_acting() && !problem.time.has_external_force();
 }
 
-Oscillator make_oscillator(const problem::Problem& problem, const problem::MotionScales& scales,
-                           double mean_force, bool has_noise_kicks) {
+SimulatedOscillator make_oscillator(const problem::Problem& problem,
+                                    const problem::MotionScales& scales, double mean_force,
+                                    bool has_noise_kicks) {
   const problem::System& system = problem.system;
-  Oscillator o;
+  SimulatedOscillator o;
   if (problem.time.has_external_force()) o.external_force = &problem.time;
   if (has_formula_flights(problem)) {
     set_formula_terms(problem, o);
@@ -134,7 +138,7 @@ Oscillator make_oscillator(const problem::Problem& problem, const problem::Motio
   o.frequency = scales.frequency;
   o.fastest_rate = scales.frequency + largest_damping(system, scales);
   const auto make_wall = [&](const problem::Wall& wall, double inwards) {
-    Wall w{.exists = true, .position = wall.position, .restitution = wall.restitution};
+    SimulatedWall w{.exists = true, .position = wall.position, .restitution = wall.restitution};
     if (!wall.has_constant_restitution()) w.formula = &wall;
     double force = system.force(wall.position, 0);
     if (o.noise_factor != nullptr) {
@@ -149,16 +153,16 @@ Oscillator make_oscillator(const problem::Problem& problem, const problem::Motio
   return o;
 }
 
-void set_contact_force(const Oscillator& oscillator, double force, Wall& wall) {
+void set_contact_force(const SimulatedOscillator& oscillator, double force, SimulatedWall& wall) {
   wall.contact_force = force;
   wall.rest_speed =
       kRestSpeedFraction *
       std::max(0.0, std::min(oscillator.velocity, wall.contact_force / oscillator.fastest_rate));
 }
 
-void evaluate_external_forces(const Oscillator& oscillator, int count, const double* t,
+void evaluate_external_forces(const SimulatedOscillator& oscillator, int count, const double* t,
                               double* force) {
-  for (int k = 0; k < count; ++k) force[k] = oscillator.external_force->force(t[k]);
+  for (int k = 0; k < count; ++k) force[k] = oscillator.external_force->external_force(t[k]);
 }
 
 NoiseKicks make_noise_kicks(const problem::Problem& problem, const problem::MotionScales& scales,
@@ -185,14 +189,14 @@ NoiseKicks make_noise_kicks(const problem::Problem& problem, const problem::Moti
   return kicks;
 }
 
-double restitution_at_speed(const Wall& wall, double speed) {
+double restitution_at_speed(const SimulatedWall& wall, double speed) {
   return wall.formula->restitution_at_speed(speed);
 }
 
-double total_bounce_time(const Wall& wall, double speed) {
+double total_bounce_time(const SimulatedWall& wall, double speed) {
   // The geometric series of a constant r replaces the remaining bounces as soon as r(u) is close to
-  // r(0), or the remaining bounces are short. If r(u) = 1 - O(u^a) with a < 1, some hundred bounces
-  // suffice. If a >= 1, the bounces never end.
+  // r(0), or the remaining bounces are short. If the restitution coefficient is r(u) = 1 - O(u^a)
+  // with a < 1, some hundred bounces suffice. If a >= 1, the bounces never end.
   constexpr int kMostBounces = 1000;
   constexpr double kTolerance = 1e-3;
   double sum = 0, u = speed;
@@ -209,9 +213,9 @@ double total_bounce_time(const Wall& wall, double speed) {
 
 namespace {
 
-// Computes the force of the formula as written in the case file. Beyond a wall, the value at the
-// wall replaces a value that is not finite.
-void evaluate_forces_as_written(const Oscillator& oscillator, int count, const double* y,
+// Computes the force by the formula in the case file, without a correction for Ito's sense. Behind
+// a wall, a force that is not finite is replaced by the force at the wall.
+void evaluate_forces_as_written(const SimulatedOscillator& oscillator, int count, const double* y,
                                 const double* v, double* force) {
   const problem::System& system = *oscillator.system;
   system.evaluate_forces(static_cast<std::size_t>(count), y, v, force);
@@ -228,33 +232,33 @@ void evaluate_forces_as_written(const Oscillator& oscillator, int count, const d
 
 // Adds a multiple of the slope G_v of G = g^2, the difference between the drifts of Ito's and
 // Stratonovich's senses.
-void add_noise_induced_drift(const Oscillator& oscillator, int count, const double* y,
+void add_noise_induced_drift(const SimulatedOscillator& oscillator, int count, const double* y,
                              const double* v, double multiple, double* force) {
-  std::array<double, problem::Expression::kBatch> inside{}, slopes{};
+  std::array<double, problem::Expression::kBatchPoints> inside{}, slopes{};
   for (int k = 0; k < count; ++k) inside[k] = clamp_to_walls(oscillator, y[k]);
-  oscillator.noise_factor->evaluate_square_slopes_in_v(static_cast<std::size_t>(count),
-                                                       inside.data(), v, slopes.data());
+  oscillator.noise_factor->evaluate_squared_factor_slopes_in_v(static_cast<std::size_t>(count),
+                                                               inside.data(), v, slopes.data());
   for (int k = 0; k < count; ++k) force[k] += multiple * slopes[k];
 }
 
 }  // namespace
 
-double impulse_factor(const Oscillator& oscillator, double y) {
+double impulse_factor(const SimulatedOscillator& oscillator, double y) {
   if (oscillator.impulse_factor == nullptr) return 1;
   return (*oscillator.impulse_factor)(clamp_to_walls(oscillator, y), 0);
 }
 
-void evaluate_forces(const Oscillator& oscillator, int count, const double* y, const double* v,
-                     double* force) {
+void evaluate_forces(const SimulatedOscillator& oscillator, int count, const double* y,
+                     const double* v, double* force) {
   evaluate_forces_as_written(oscillator, count, y, v, force);
-  if (oscillator.noise_factor != nullptr && oscillator.is_ito)
+  if (oscillator.noise_factor != nullptr && oscillator.is_force_in_ito_sense)
     add_noise_induced_drift(oscillator, count, y, v, oscillator.diffusion / 2, force);
 }
 
-void evaluate_ito_forces(const Oscillator& oscillator, int count, const double* y, const double* v,
-                         double* force) {
+void evaluate_ito_forces(const SimulatedOscillator& oscillator, int count, const double* y,
+                         const double* v, double* force) {
   evaluate_forces_as_written(oscillator, count, y, v, force);
-  if (oscillator.noise_factor != nullptr && !oscillator.is_ito)
+  if (oscillator.noise_factor != nullptr && !oscillator.is_force_in_ito_sense)
     add_noise_induced_drift(oscillator, count, y, v, -oscillator.diffusion / 2, force);
 }
 

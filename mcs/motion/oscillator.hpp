@@ -7,14 +7,14 @@ struct Problem;
 class System;
 class NoiseFactor;
 class StateFunction;
-class TimeDependence;
+class ExcitationTimeDependence;
 struct MotionScales;
 struct Wall;
 }  // namespace fpkcheck::problem
 
 namespace fpkcheck::mcs {
 
-struct Wall {
+struct SimulatedWall {
   bool exists = false;
   double position = 0;
   double restitution = 1;  ///< r, or r(0) if r depends on the impact speed
@@ -26,16 +26,16 @@ struct Wall {
   const problem::Wall* formula = nullptr;
 
   /// Returns whether impacts dissipate energy.
-  bool is_lossy() const { return exists && (restitution < 1 || formula != nullptr); }
+  bool has_impact_losses() const { return exists && (restitution < 1 || formula != nullptr); }
 };
 
 /// Returns the restitution coefficient r(u). @pre wall.formula is not null
-double restitution_at_speed(const Wall& wall, double speed);
-/// Returns the total time of the bounces that follow an impact at the speed u < Wall::rest_speed:
-/// the sum of 2 u_n / contact_force with u_n = r(u_(n-1)) u_(n-1), u_0 = u. The result is infinite
-/// if the sum does not converge within 1000 bounces.
+double restitution_at_speed(const SimulatedWall& wall, double speed);
+/// Returns the total time of the bounces that follow an impact at the speed u <
+/// SimulatedWall::rest_speed: the sum of 2 u_n / contact_force with u_n = r(u_(n-1)) u_(n-1), u_0 =
+/// u. The total time is infinite if its sum does not converge within 1000 bounces.
 /// @pre wall.formula is not null and the contact force is positive
-double total_bounce_time(const Wall& wall, double speed);
+double total_bounce_time(const SimulatedWall& wall, double speed);
 
 /// Oscillator of a problem in wall coordinates, with precomputed coefficients,
 ///
@@ -43,30 +43,31 @@ double total_bounce_time(const Wall& wall, double speed);
 ///
 /// Under Gaussian noise the damping force c y' is part of the kicks (NoiseKicks), not of the
 /// flights.
-struct Oscillator {
+struct SimulatedOscillator {
   static constexpr int kHighestDegree = 5;
   /// Form of the equation of motion, which selects the class of the flights.
   enum class Kind {
     /// Force g = k y + mu y^3 and damping force c y' with c, k, mu >= 0, one wall at y = 0, only
     /// impulses; flights are DuffingFlights
     duffing_at_wall,
-    // Flights of the kinds `linear`, `cubic` and `full` are PolynomialFlights. The kind `cubic`
-    // includes the terms of `linear`, and `full` includes all terms.
+    // Flights of the kinds `linear`, `cubic` and `full` are PolynomialFlights. The equation of the
+    // kind `cubic` includes the terms of the kind `linear`, and the kind `full` includes all terms.
     linear,
     cubic,
     full,
-    /// Force from `system`; flights are FormulaFlights
+    /// Force by a formula in `system`; free flights are FormulaFlights
     formula
   };
 
   /// Coefficients of the force g(y); for the kind `formula`, a constant that is added to the
   /// formula
   std::array<double, kHighestDegree + 1> force{};
-  /// Coefficients of the damping c(y); 0 if the noise kicks contain the damping
+  /// Coefficients of the damping c(y) in the damping force c(y) y'; 0 if the noise kicks contain
+  /// the damping
   std::array<double, 3> damping{};
   double rayleigh = 0;  ///< coefficient c_vv of the damping c_vv y'^3
   Kind kind = Kind::linear;
-  Wall left{}, right{};
+  SimulatedWall left{}, right{};
 
   bool is_duffing_at_wall() const { return kind == Kind::duffing_at_wall; }
   double length = 1;    ///< length scale of the motion, for relative errors of the flights
@@ -83,73 +84,77 @@ struct Oscillator {
   /// otherwise null. With G = g^2 and the diffusion coefficient D, the forces f of the senses of
   /// Ito and Stratonovich differ by f_Ito = f_Stratonovich - D G_v / 2.
   const problem::NoiseFactor* noise_factor = nullptr;
-  double diffusion = 0;    ///< D, used with `noise_factor`
-  bool is_ito = false;     ///< whether the force of `system` as written is that of Ito's sense
+  double diffusion = 0;  ///< D, used with `noise_factor`
+  bool is_force_in_ito_sense =
+      false;               ///< whether the force of `system` as written is that of Ito's sense
   bool has_jumps = false;  ///< Expression::has_jumps()
   bool has_kinks = false;  ///< Expression::has_kinks()
   /// External force F(t), which must outlive the oscillator; null without a force. The kind is then
   /// `formula`.
-  const problem::TimeDependence* external_force = nullptr;
+  const problem::ExcitationTimeDependence* external_force = nullptr;
   /// Factor b(y) of parametric impulses, which must outlive the oscillator; null for b = 1
   const problem::StateFunction* impulse_factor = nullptr;
 };
 
 /// Returns the factor b(y) of parametric impulses; 1 without a factor.
-double impulse_factor(const Oscillator& oscillator, double y);
+double impulse_factor(const SimulatedOscillator& oscillator, double y);
 
-/// Computes the force of the flights, that of Stratonovich's sense, at `count` <= 8 points. Beyond
-/// a wall a formula without a finite value is continued by the value at the wall.
+/// Computes the force of free flights, in Stratonovich's sense, at `count` <= 8 points. Behind a
+/// wall, a force that is not finite is replaced by the force at the wall.
 /// @pre oscillator.kind is `formula`
-void evaluate_forces(const Oscillator& oscillator, int count, const double* y, const double* v,
-                     double* force);
+void evaluate_forces(const SimulatedOscillator& oscillator, int count, const double* y,
+                     const double* v, double* force);
 /// Computes the force of Ito's sense, which the balances contain, at `count` <= 8 points between
 /// the walls.
 /// @pre oscillator.kind is `formula`
-void evaluate_ito_forces(const Oscillator& oscillator, int count, const double* y, const double* v,
-                         double* force);
+void evaluate_ito_forces(const SimulatedOscillator& oscillator, int count, const double* y,
+                         const double* v, double* force);
 
 /// Gaussian white noise, integrated by Strang splitting with the interval h. At a kick y' follows
 /// the Ornstein-Uhlenbeck process with damping c for a time h. Between kicks the motion has neither
-/// noise nor damping c y'. Kicks and flights both preserve the density exp(-c (v^2/2 + U)/D).
-/// Without impact losses and impulses a finite h therefore causes no error; otherwise the error is
-/// of second order in h. Damping other than c y' is part of the flights, and all damping if the
-/// noise is multiplicative; apply_multiplicative_kicks() describes the kicks of multiplicative
-/// noise.
+/// noise nor damping c y'. Noise kicks and free flights preserve the density exp(-c (v^2/2 +
+/// U(y))/D). Without impact losses and impulses a finite h therefore causes no error; otherwise the
+/// error is of second order in h. Damping other than c y' is part of the flights, and all damping
+/// if the noise is multiplicative; apply_multiplicative_kicks() describes the kicks of
+/// multiplicative noise.
 struct NoiseKicks {
   double diffusion = 0;         ///< diffusion coefficient D of the noise; 0 without kicks
   double damping = 0;           ///< coefficient c of the damping force c y'
   double longest_interval = 0;  ///< largest interval h between kicks
-  /// Lower limit of h next to a wall with losses, see time_to_next_kick()
+  /// Lower limit of the kick interval next to a wall with impact losses (time_to_next_kick())
   double shortest_interval = 0;
-  /// Interval h next to a wall with losses, as a fraction of the time in which noise changes the motion
+  /// Kick interval next to a wall with impact losses, as a fraction of the time in which noise
+  /// changes the motion
   double fraction_near_wall = 0.1;
   bool has_lossy_wall = false;
   /// Factor g of multiplicative noise, which must outlive the kicks; null for g = 1
   const problem::NoiseFactor* factor = nullptr;
   double velocity_scale = 1;  ///< scale of the velocities, used with `factor`
 
-  bool is_present() const { return diffusion > 0; }
+  bool is_acting() const { return diffusion > 0; }
 };
 
-/// Returns whether the oscillator of a problem has the kind duffing_at_wall. The kind alone
-/// determines the flights, the model of white noise (evenly spaced impulses, or NoiseKicks) and the
-/// initial states. With one wall at the equilibrium, c > 0 and g = k y + mu y^3, k, mu >= 0, the
-/// energy does not grow between impulses and bounds the frequency. A flight then has at most one
-/// impact, which the sign of y at the end reveals, and the mass never rests on the wall. Noise is
-/// excluded, since noise would increase the energy during a flight.
+/// Returns whether the oscillator of a problem has the kind duffing_at_wall. The kind of the
+/// oscillator determines the free flights, the model of white noise (evenly spaced impulses, or
+/// NoiseKicks) and the initial states. With one wall at the equilibrium, c > 0 and g = k y + mu
+/// y^3, k, mu >= 0, the energy does not grow between impulses and bounds the frequency. A flight
+/// then has at most one impact, which the sign of y at the end reveals, and the mass never rests on
+/// the wall. Noise is excluded, since noise would increase the energy during a flight.
 bool is_duffing_at_wall(const problem::Problem& problem);
 
 /// @param problem must outlive the oscillator if the kind is `formula` or a wall has a formula
 /// @param mean_force mean force of the impulses if kicks replace the impulses, otherwise 0
 /// @param has_noise_kicks whether the motion has NoiseKicks
-Oscillator make_oscillator(const problem::Problem& problem, const problem::MotionScales& scales,
-                           double mean_force = 0, bool has_noise_kicks = false);
+SimulatedOscillator make_oscillator(const problem::Problem& problem,
+                                    const problem::MotionScales& scales, double mean_force = 0,
+                                    bool has_noise_kicks = false);
 
-/// Sets Wall::contact_force to `force`, and Wall::rest_speed to the value for this contact force.
-void set_contact_force(const Oscillator& oscillator, double force, Wall& wall);
+/// Sets SimulatedWall::contact_force to `force`, and SimulatedWall::rest_speed to the value for
+/// this contact force.
+void set_contact_force(const SimulatedOscillator& oscillator, double force, SimulatedWall& wall);
 
 /// Computes the external force F(t) at `count` times. @pre oscillator.external_force is not null
-void evaluate_external_forces(const Oscillator& oscillator, int count, const double* t,
+void evaluate_external_forces(const SimulatedOscillator& oscillator, int count, const double* t,
                               double* force);
 
 /// Returns the parameters of the kicks that represent Gaussian noise.

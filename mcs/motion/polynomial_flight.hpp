@@ -11,8 +11,8 @@ namespace {
 
 /// Returns the slope g'(y) of the restoring force.
 template <class Real>
-FPKCHECK_INLINE Real tangent_stiffness(const Oscillator& o, const Real& y) {
-  Real sum = simd::broadcast<Real>(5 * o.force[5]);
+FPKCHECK_INLINE Real tangent_stiffness(const SimulatedOscillator& o, const Real& y) {
+  Real sum = simd::all_lanes_equal_to<Real>(5 * o.force[5]);
   for (std::size_t n = 4; n > 0; --n) sum = sum * y + static_cast<double>(n) * o.force[n];
   return sum;
 }
@@ -30,14 +30,14 @@ FPKCHECK_INLINE auto cauchy_product(const A& a, const B& b, int n) {
 ///
 ///     (n+1)(n+2) a_{n+2} = -([g(y)]_n + (n+1) [C(y)]_{n+1} + c_vv [v^3]_n),    C' = c.
 ///
-/// Cauchy products give the coefficients of powers. The term of c(y) follows from c(y) v =
-/// dC(y)/ds.
-template <Oscillator::Kind kKind, int kOrder, class Real>
-FPKCHECK_INLINE void compute_taylor_coefficients_inline(const Oscillator& o,
+/// Cauchy products give the Taylor coefficients of powers of y and v. The Taylor coefficients of
+/// the damping force c(y) v follow from c(y) v = dC(y)/ds, with the integral C of c.
+template <SimulatedOscillator::Kind kKind, int kOrder, class Real>
+FPKCHECK_INLINE void compute_taylor_coefficients_inline(const SimulatedOscillator& o,
                                                         std::array<Real, kOrder + 1>& a) {
   const double c0 = o.damping[0], c1 = o.damping[1] / 2, c2 = o.damping[2] / 3;
   std::array<Real, kOrder + 1> y2, y3, y4, y5, v, v2;
-  if constexpr (kKind != Oscillator::Kind::linear) {
+  if constexpr (kKind != SimulatedOscillator::Kind::linear) {
     y2[0] = a[0] * a[0];
     y3[0] = y2[0] * a[0];
   }
@@ -45,13 +45,13 @@ FPKCHECK_INLINE void compute_taylor_coefficients_inline(const Oscillator& o,
   for (int n = 0; n + 2 <= kOrder; ++n) {
     Real sum = o.force[1] * a[n] + (c0 * (n + 1)) * a[n + 1];
     if (n == 0) sum = sum + o.force[0];
-    if constexpr (kKind != Oscillator::Kind::linear) {
+    if constexpr (kKind != SimulatedOscillator::Kind::linear) {
       y2[n + 1] = cauchy_product(a, a, n + 1);
       y3[n + 1] = cauchy_product(a, y2, n + 1);
       sum = sum + o.force[2] * y2[n] + o.force[3] * y3[n] +
             static_cast<double>(n + 1) * (c1 * y2[n + 1] + c2 * y3[n + 1]);
     }
-    if constexpr (kKind == Oscillator::Kind::full) {
+    if constexpr (kKind == SimulatedOscillator::Kind::full) {
       y4[n] = cauchy_product(y2, y2, n);
       y5[n] = cauchy_product(y2, y3, n);
       v[n] = static_cast<double>(n + 1) * a[n + 1];
@@ -64,29 +64,33 @@ FPKCHECK_INLINE void compute_taylor_coefficients_inline(const Oscillator& o,
 
 // The computation of the Taylor coefficients is not inlined, since the compiler would otherwise
 // generate a copy for each call.
-template <Oscillator::Kind kKind, int kOrder, class Real>
-[[gnu::noinline]] void compute_taylor_coefficients_of_kind(const Oscillator& o,
+template <SimulatedOscillator::Kind kKind, int kOrder, class Real>
+[[gnu::noinline]] void compute_taylor_coefficients_of_kind(const SimulatedOscillator& o,
                                                            std::array<Real, kOrder + 1>& a) {
   compute_taylor_coefficients_inline<kKind, kOrder>(o, a);
 }
 
 template <int kOrder, class Real>
-FPKCHECK_INLINE void compute_taylor_coefficients(const Oscillator& o,
+FPKCHECK_INLINE void compute_taylor_coefficients(const SimulatedOscillator& o,
                                                  std::array<Real, kOrder + 1>& a) {
   switch (o.kind) {
-    case Oscillator::Kind::linear:
-      return compute_taylor_coefficients_of_kind<Oscillator::Kind::linear, kOrder, Real>(o, a);
-    case Oscillator::Kind::duffing_at_wall:
-    case Oscillator::Kind::cubic:
-      return compute_taylor_coefficients_of_kind<Oscillator::Kind::cubic, kOrder, Real>(o, a);
-    case Oscillator::Kind::full:
-      return compute_taylor_coefficients_of_kind<Oscillator::Kind::full, kOrder, Real>(o, a);
-    case Oscillator::Kind::formula:  // flights are FormulaFlights
+    case SimulatedOscillator::Kind::linear:
+      return compute_taylor_coefficients_of_kind<SimulatedOscillator::Kind::linear, kOrder, Real>(
+          o, a);
+    case SimulatedOscillator::Kind::duffing_at_wall:
+    case SimulatedOscillator::Kind::cubic:
+      return compute_taylor_coefficients_of_kind<SimulatedOscillator::Kind::cubic, kOrder, Real>(o,
+                                                                                                 a);
+    case SimulatedOscillator::Kind::full:
+      return compute_taylor_coefficients_of_kind<SimulatedOscillator::Kind::full, kOrder, Real>(o,
+                                                                                                a);
+    case SimulatedOscillator::Kind::formula:  // flights are FormulaFlights
       return;
   }
 }
 
-/// Flights of an oscillator of any Oscillator::Kind except `formula`, as Taylor polynomials.
+/// Flights of an oscillator of any SimulatedOscillator::Kind except `formula`, as Taylor
+/// polynomials.
 template <class Real, int kOrder>
 class PolynomialFlight : public FreeFlight<Real, kOrder> {
   using Base = FreeFlight<Real, kOrder>;
@@ -95,7 +99,8 @@ class PolynomialFlight : public FreeFlight<Real, kOrder> {
 
  public:
   /// @param oscillator must outlive the flight
-  FPKCHECK_INLINE PolynomialFlight(const Oscillator& oscillator, const PhaseState<Real>& start)
+  FPKCHECK_INLINE PolynomialFlight(const SimulatedOscillator& oscillator,
+                                   const PhaseState<Real>& start)
       : Base(oscillator, start) {
     compute_taylor_coefficients<kOrder, Real>(oscillator, a_);
   }
@@ -103,26 +108,26 @@ class PolynomialFlight : public FreeFlight<Real, kOrder> {
   /// Returns the longest time for which the polynomial is used: `phase` radians of a frequency w.
   /// The frequency w satisfies |d^n y/ds^n| <= A w^n for the last coefficients, with the extent A
   /// of the motion, and w^2 is at least the tangent stiffness. The initial energy gives no bound of
-  /// w, since the energy may grow.
+  /// the frequency w, since the energy may grow.
   ///
   /// The velocity of a flight satisfies a linear equation with the coefficient g'(y). Within less
   /// than half a period (phase < pi) the velocity changes sign at most once (Sturm).
   FPKCHECK_INLINE Real max_step(double phase) const {
     const Real extent = oscillator_.length + simd::lanewise_max(a_[0], -a_[0]);
     const Real over = 1.0 / extent;
-    Real logarithm_of_frequency = simd::broadcast<Real>(-1e3);
+    Real logarithm_of_frequency = simd::all_lanes_equal_to<Real>(-1e3);
     double factorial = 1;
 #pragma GCC unroll 16
     for (int n = 2; n <= kOrder; ++n) {
       factorial *= n;
-      if (n <= kOrder - kTestedOrders) continue;
+      if (n <= kOrder - kTaylorOrdersInStepEstimate) continue;
       const Real size = factorial * simd::lanewise_max(a_[n], -a_[n]) * over + 1e-290;
       logarithm_of_frequency =
           simd::lanewise_max(logarithm_of_frequency, simd::logarithm(size) * (1.0 / n));
     }
     const double longest = 1e-2 * oscillator_.frequency;
     Real frequency = simd::exponential(simd::lanewise_max(logarithm_of_frequency,
-                                                          simd::broadcast<Real>(-600.0))) +
+                                                          simd::all_lanes_equal_to<Real>(-600.0))) +
                      longest;
     const Real slope = tangent_stiffness(oscillator_, a_[0]);
     const Real stiffness = simd::lanewise_max(slope, -slope);
@@ -137,7 +142,7 @@ class PolynomialFlight : public FreeFlight<Real, kOrder> {
  private:
   // The bound of the frequency must test six orders of coefficients: for y'' = -y^5 and y(0) = 0
   // only every sixth coefficient differs from 0.
-  static constexpr int kTestedOrders = 6;
+  static constexpr int kTaylorOrdersInStepEstimate = 6;
 };
 
 }  // namespace

@@ -9,32 +9,34 @@ namespace fpkcheck::mcs {
 namespace {
 
 /// Returns the weight of the current branch; 1 without splitting.
-inline double branch_weight(const MotionParameters& motion, const Stream& stream) {
-  return motion.splitting ? motion.splitting->branch_weight(stream.branch) : 1.0;
+inline double branch_statistical_weight(const StreamMotionParameters& motion,
+                                        const TrajectoryStream& stream) {
+  return motion.splitting ? motion.splitting->branch_statistical_weight(stream.branch) : 1.0;
 }
 
 /// Counts a maximum or minimum of y if the velocity changes sign in a jump from `v_before` to
 /// `v_after`.
-inline void count_turning_point(const MotionParameters& motion, Stream& stream, double v_before,
-                                double v_after) {
+inline void count_turning_point(const StreamMotionParameters& motion, TrajectoryStream& stream,
+                                double v_before, double v_after) {
   if (!motion.records) return;
-  const double y = stream.branch.y, event_weight = branch_weight(motion, stream);
+  const double y = stream.branch.y, event_weight = branch_statistical_weight(motion, stream);
   if (v_before > 0 && v_after < 0) stream.record.peaks[(*motion.y_bins)(y)] += event_weight;
   const bool at_wall = motion.oscillator.left.exists && !(y > 0);
   if (v_before < 0 && v_after > 0 && !at_wall)
     stream.record.troughs[(*motion.y_bins)(y)] += event_weight;
 }
 
-/// Appends the present state of a stream to Stream::states, if MotionParameters::keeps_states.
-inline void record_state(const MotionParameters& motion, Stream& stream, RecordedState::Event event,
-                         double kick_variance = 0) {
+/// Appends the present state of a stream to TrajectoryStream::states, if
+/// StreamMotionParameters::keeps_states.
+inline void record_state(const StreamMotionParameters& motion, TrajectoryStream& stream,
+                         RecordedState::Event event, double kick_variance = 0) {
   if (!motion.keeps_states) return;
   const TrajectoryBranch& b = stream.branch;
   stream.states.push_back({b.remaining, b.y, b.v, event, kick_variance});
 }
 
 /// Applies one impulse, paper (3), and draws the next impulse.
-inline void apply_impulse(const MotionParameters& motion, Stream& stream) {
+inline void apply_impulse(const StreamMotionParameters& motion, TrajectoryStream& stream) {
   TrajectoryBranch& b = stream.branch;
   const double before = b.v;
   record_state(motion, stream, RecordedState::Event::before_impulse);
@@ -45,7 +47,7 @@ inline void apply_impulse(const MotionParameters& motion, Stream& stream) {
   b.time_to_rest = -1;
   count_turning_point(motion, stream, before, b.v);
   if (motion.records) {
-    const double event_weight = branch_weight(motion, stream);
+    const double event_weight = branch_statistical_weight(motion, stream);
     ++(stream.is_on_main_branch() ? stream.record.impulses : stream.record.branch_impulses);
     stream.record.work += event_weight * ((factor * b.amplitude - motion.shift) * before +
                                           b.amplitude * b.amplitude / 2);
@@ -57,14 +59,14 @@ inline void apply_impulse(const MotionParameters& motion, Stream& stream) {
     }
   }
   const Impulse next = stream.source.next_impulse();
-  b.time_to_impulse = next.waiting;
+  b.time_to_impulse = next.waiting_time;
   b.amplitude = next.amplitude;
-  if (motion.splitting) motion.splitting->split_or_end_branch(stream);
+  if (motion.splitting) motion.splitting->split_or_end_branch_by_energy(stream);
 }
 
 /// Applies the Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W for half of the interval before
 /// the kick plus half of the interval after the kick.
-inline void apply_noise_kick(const MotionParameters& motion, Stream& stream) {
+inline void apply_noise_kick(const StreamMotionParameters& motion, TrajectoryStream& stream) {
   TrajectoryBranch& b = stream.branch;
   const NoiseKicks& kicks = motion.kicks;
   const double diffusion = kicks.diffusion * noise_intensity_factor(motion, b);
@@ -72,7 +74,8 @@ inline void apply_noise_kick(const MotionParameters& motion, Stream& stream) {
   const double time = (b.kick_interval + next) / 2;
   const double x = kicks.damping * time;
   const double decay = simd::exponential(simd::lanewise_max(simd::lanewise_min(-x, 300.0), -300.0));
-  // (1 - exp(-2x)) / (2x), from a series where the difference would lose digits
+  // (1 - exp(-2x)) / (2x), computed by a series at small x, where the difference 1 - exp(-2x) would
+  // lose digits
   const double mean_decay =
       x < 1e-3 && x > -1e-3 ? 1 - x * (1 - 2 * x / 3) : (1 - decay * decay) / (2 * x);
   const double variance = 2 * diffusion * time * mean_decay;

@@ -3,11 +3,13 @@
 
 namespace fpkcheck::mcs::baseline {
 
-ImpulseBlock make_impulse_block(const Excitation& excitation, const UniformNumbers& uniforms) {
+ImpulseBlock make_impulse_block(const ImpulseProcess& excitation,
+                                const UniformRandomNumbers& uniforms) {
   return draw_impulse_block(excitation, uniforms);
 }
 
-void advance_streams(const MotionParameters& motion, Stream* const* streams, int stream_count) {
+void advance_streams(const StreamMotionParameters& motion, TrajectoryStream* const* streams,
+                     int stream_count) {
   advance_lane_group<1, 2>(motion, streams, stream_count);
 }
 

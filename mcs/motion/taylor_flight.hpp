@@ -13,7 +13,7 @@ struct PhaseState {
   Real y;
   Real v;
 };
-using State = PhaseState<double>;
+using OscillatorState = PhaseState<double>;
 
 /// Motion of an oscillator between two events, as a Taylor polynomial in time, y(s) = sum_n a_n
 /// s^n, expanded at the initial state. A derived class computes a_2, a_3, .. from its equation of
@@ -50,18 +50,18 @@ class TaylorFlight {
  protected:
   using Coefficients = std::array<Real, kOrder + 1>;
 
-  FPKCHECK_INLINE TaylorFlight(const Oscillator& oscillator, const PhaseState<Real>& start)
+  FPKCHECK_INLINE TaylorFlight(const SimulatedOscillator& oscillator, const PhaseState<Real>& start)
       : oscillator_(oscillator) {
     a_[0] = start.y;
     a_[1] = start.v;
   }
 
-  const Oscillator& oscillator_;
+  const SimulatedOscillator& oscillator_;
   Coefficients a_;
 };
 
 // `iterate` and `tolerance` must be always_inline, since files that are compiled for different
-// instruction sets call bracketed_zero().
+// instruction sets call find_bracketed_zero().
 
 /// Returns the zero of a function in the bracket [low, high], in the lanes of `open`. An iteration
 /// of higher order is replaced by bisection if the iteration leaves the bracket. Lanes outside
@@ -71,10 +71,10 @@ class TaylorFlight {
 /// approximation
 /// @param tolerance maps s to the correction below which a lane has converged
 template <class Real, class Mask, class Iterate, class Tolerance>
-FPKCHECK_INLINE Real bracketed_zero(Real low, Real high, Real s, Mask open, const Iterate& iterate,
-                                    const Tolerance& tolerance) {
+FPKCHECK_INLINE Real find_bracketed_zero(Real low, Real high, Real s, Mask open,
+                                         const Iterate& iterate, const Tolerance& tolerance) {
   constexpr int kMostIterations = 60;
-  for (int n = 0; n < kMostIterations && simd::any_lane_set(open); ++n) {
+  for (int n = 0; n < kMostIterations && simd::any_mask_lane_set(open); ++n) {
     Mask is_before;
     const Real improved = iterate(s, is_before);
     low = simd::select(is_before, s, low);

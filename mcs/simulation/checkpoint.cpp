@@ -48,7 +48,7 @@ std::string write_checkpoint(const std::string& path, const std::string& fingerp
   const std::uint64_t sum = checksum_of_text(text);
   text.append(reinterpret_cast<const char*>(&sum), sizeof sum);
   try {
-    const base::ExitBlocker in_hand;
+    const base::ProcessExitBlocker in_hand;
     base::write_file_atomically(path, text);
     return "";
   } catch (const std::runtime_error&) {
@@ -67,14 +67,14 @@ bool is_checkpoint(const std::string& path) {
 
 std::string simulation_fingerprint(const problem::Problem& problem, const SimulationPlan& plan,
                                    const ImportanceSplitting* splitting) {
-  const Oscillator& o = plan.oscillator;
-  const Excitation& e = plan.excitation;
+  const SimulatedOscillator& o = plan.oscillator;
+  const ImpulseProcess& e = plan.excitation;
   std::string force = fmt::format("force {:a}", fmt::join(o.force, " "));
   if (problem.system.has_polynomial_force()) {
     force += fmt::format("; damping {:a}",
                          fmt::join(problem.system.damping_polynomial().coefficients(), " "));
   } else {
-    force += fmt::format(" + {}", problem.system.force_formula().text());
+    force += fmt::format(" + {}", problem.system.force_formula().formula_text());
   }
   for (const auto& [name, value] : problem.system.named_constants())
     force += fmt::format("; {} {:a}", name, value);
@@ -92,15 +92,15 @@ std::string simulation_fingerprint(const problem::Problem& problem, const Simula
     }
   }
   if (problem.impulse_factor) {
-    text += fmt::format("; impulse factor {}", problem.impulse_factor->formula().text());
+    text += fmt::format("; impulse factor {}", problem.impulse_factor->formula().formula_text());
   }
-  for (const Wall& w : {o.left, o.right}) {
+  for (const SimulatedWall& w : {o.left, o.right}) {
     text += fmt::format("; wall {} {:a} {:a}", w.exists, w.position, w.restitution);
-    if (w.formula != nullptr) text += " " + w.formula->restitution_formula->text();
+    if (w.formula != nullptr) text += " " + w.formula->restitution_formula->formula_text();
   }
   if (e.pieces) text += fmt::format("; pieces {:x}", e.pieces->checksum());
   if (plan.deposit) {
-    const DepositGrid& g = plan.deposit->grid;
+    const SampleDepositGrid& g = plan.deposit->grid;
     text += fmt::format("; deposit {:a}; {:a}; {:a} {:a} {}; {:a} {:a} {}; {:a} {:a} {}",
                         fmt::join(g.y_knots, " "), fmt::join(g.v_knots, " "), g.lattice_begin,
                         g.lattice_spacing, g.lattice_points, g.y_bins.first, g.y_bins.spacing,
@@ -120,13 +120,13 @@ CheckpointWriter::CheckpointWriter(std::string path, std::function<void(const st
   const auto there = fs::status(path_, ignored);
   if (fs::is_directory(there))
     throw InputError(write_failure_message(path_, "it is a directory; name a file"));
-  // The following check prevents overwriting a device, or a case file that was named by mistake.
+  // A checkpoint must not overwrite a device, or a case file that was named by mistake.
   if (fs::exists(there) && !(fs::is_regular_file(there) && is_checkpoint(path_))) {
     throw InputError(write_failure_message(
         path_, "the file is no checkpoint and would be lost; name another file"));
   }
   try {
-    const base::ExitBlocker in_hand;
+    const base::ProcessExitBlocker in_hand;
     const fs::path probe = base::partial_file_path(path_);
     base::write_new_file(probe, kCheckpointFormatLine);
     fs::remove(probe);
@@ -135,29 +135,32 @@ CheckpointWriter::CheckpointWriter(std::string path, std::function<void(const st
   }
 }
 
-void CheckpointWriter::try_write(const std::string& fingerprint, const Simulation& simulation) {
+void CheckpointWriter::try_write_checkpoint(const std::string& fingerprint,
+                                            const Simulation& simulation) {
   written_ = Clock::now();
   failure_ = write_checkpoint(path_, fingerprint, simulation);
 }
 
-void CheckpointWriter::write(const std::string& fingerprint, const Simulation& simulation) {
+void CheckpointWriter::write_checkpoint_now(const std::string& fingerprint,
+                                            const Simulation& simulation) {
   if (path_.empty()) return;
   const bool failed_before = !failure_.empty();
-  try_write(fingerprint, simulation);
+  try_write_checkpoint(fingerprint, simulation);
   if (!failure_.empty() && !failed_before) {
     warn_(failure_ + ". The simulation continues and retries every half minute");
   }
 }
 
-void CheckpointWriter::write_when_due(const std::string& fingerprint,
-                                      const Simulation& simulation) {
+void CheckpointWriter::write_checkpoint_when_due(const std::string& fingerprint,
+                                                 const Simulation& simulation) {
   constexpr std::chrono::seconds kBetweenCheckpoints(30);
-  if (Clock::now() - written_ > kBetweenCheckpoints) write(fingerprint, simulation);
+  if (Clock::now() - written_ > kBetweenCheckpoints) write_checkpoint_now(fingerprint, simulation);
 }
 
-void CheckpointWriter::write_final(const std::string& fingerprint, const Simulation& simulation) {
+void CheckpointWriter::write_final_checkpoint(const std::string& fingerprint,
+                                              const Simulation& simulation) {
   if (path_.empty()) return;
-  try_write(fingerprint, simulation);
+  try_write_checkpoint(fingerprint, simulation);
   if (!failure_.empty()) {
     warn_(failure_ + ". The result is valid, but no run can resume from its end");
   }

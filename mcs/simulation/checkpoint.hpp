@@ -26,17 +26,17 @@ class CheckpointWriter {
   /// @throws InputError if the path cannot be written
   CheckpointWriter(std::string path, std::function<void(const std::string&)> warn);
 
-  /// Writes a checkpoint; no effect without a path.
-  void write(const std::string& fingerprint, const Simulation& simulation);
+  /// Writes a checkpoint file; without a path the call has no effect.
+  void write_checkpoint_now(const std::string& fingerprint, const Simulation& simulation);
   /// Writes a checkpoint if the last checkpoint is more than 30 s old.
-  void write_when_due(const std::string& fingerprint, const Simulation& simulation);
+  void write_checkpoint_when_due(const std::string& fingerprint, const Simulation& simulation);
   /// Writes the checkpoint at the end of a simulation, and always reports an error.
-  void write_final(const std::string& fingerprint, const Simulation& simulation);
+  void write_final_checkpoint(const std::string& fingerprint, const Simulation& simulation);
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void try_write(const std::string& fingerprint, const Simulation& simulation);
+  void try_write_checkpoint(const std::string& fingerprint, const Simulation& simulation);
 
   std::string path_;
   std::function<void(const std::string&)> warn_;

@@ -8,8 +8,8 @@
 
 namespace fpkcheck::mcs {
 
-State folded_initial_state(const ImpulseSource& source, double displacement_deviation,
-                           double velocity_deviation) {
+OscillatorState folded_initial_state(const ImpulseSource& source, double displacement_deviation,
+                                     double velocity_deviation) {
   const auto normals = source.initial_standard_normals();
   const double z = displacement_deviation * normals[0];
   const double z_dot = velocity_deviation * normals[1];
@@ -21,8 +21,9 @@ InitialStateSampler::InitialStateSampler(const problem::Problem& problem) : aver
   for (const auto& band : averaging_.energy_bands()) below_.push_back(sum += band.mass);
 }
 
-State InitialStateSampler::operator()(std::uint64_t seed, std::uint32_t stream) const {
-  const UniformNumbers u = uniform_numbers(seed, stream, RandomNumberPurpose::start, kBlockSize);
+OscillatorState InitialStateSampler::operator()(std::uint64_t seed, std::uint32_t stream) const {
+  const UniformRandomNumbers u =
+      uniform_random_numbers(seed, stream, RandomNumberPurpose::start, kImpulsesPerBlock);
   const auto index = std::ranges::upper_bound(below_, u.first[0] * below_.back()) - below_.begin();
   const auto& bands = averaging_.energy_bands();
   const auto& band = bands[std::min(static_cast<std::size_t>(index), bands.size() - 1)];
@@ -44,10 +45,10 @@ State InitialStateSampler::operator()(std::uint64_t seed, std::uint32_t stream) 
   for (int n = 0; n < kGridPoints; ++n) {
     longest = std::max(longest, time(angle_of((n + 0.5) / kGridPoints)));
   }
-  // safety factor for maxima of the residence time between the grid points
+  // safety factor for maxima of the residence-time density between the grid points
   constexpr double kMargin = 1.2;
   double angle = 0;
-  for (std::size_t k = 1; k < kBlockSize; ++k) {
+  for (std::size_t k = 1; k < kImpulsesPerBlock; ++k) {
     angle = angle_of(u.first[k]);
     if (u.second[k] * kMargin * longest < time(angle)) break;
   }

@@ -9,10 +9,10 @@
 
 namespace fpkcheck::mcs {
 
-/// Returns the initial state of a stream: independent zero-mean Gaussians z, z', folded by paper
-/// (5), y = |z|, y' = z' sgn z.
-State folded_initial_state(const ImpulseSource& source, double displacement_deviation,
-                           double velocity_deviation);
+/// Returns the initial state of a trajectory stream: independent zero-mean Gaussians z, z', folded
+/// by paper (5), y = |z|, y' = z' sgn z.
+OscillatorState folded_initial_state(const ImpulseSource& source, double displacement_deviation,
+                                     double velocity_deviation);
 
 /// Draws independent initial states from the energy-averaged law (problem::EnergyAveraging), with
 /// the correct mass of each well and of each energy band. The burn-in then only removes transients
@@ -21,7 +21,7 @@ class InitialStateSampler {
  public:
   explicit InitialStateSampler(const problem::Problem& problem);
 
-  State operator()(std::uint64_t seed, std::uint32_t stream) const;
+  OscillatorState operator()(std::uint64_t seed, std::uint32_t stream) const;
 
  private:
   problem::EnergyAveraging averaging_;

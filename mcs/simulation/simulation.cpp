@@ -19,12 +19,13 @@ namespace {
 
 constexpr std::size_t kGroup = 8;  // number of streams that a thread advances together
 
-MotionParameters make_motion(const SimulationPlan& plan, const ImportanceSplitting* splitting) {
+StreamMotionParameters make_motion(const SimulationPlan& plan,
+                                   const ImportanceSplitting* splitting) {
   // Ratio of the step limits of flights between kicks and of other flights, whose Taylor
   // polynomials have a higher order.
   constexpr double kShorter = 0.35;
   const bool has_lower_order =
-      plan.kicks.is_present() && plan.oscillator.kind != Oscillator::Kind::formula;
+      plan.kicks.is_acting() && plan.oscillator.kind != SimulatedOscillator::Kind::formula;
   return {.oscillator = plan.oscillator,
           .kicks = plan.kicks,
           .step = plan.step * (has_lower_order ? kShorter : 1),
@@ -38,29 +39,30 @@ MotionParameters make_motion(const SimulationPlan& plan, const ImportanceSplitti
 
 /// Returns a stream at its initial state.
 /// @param sampler null for an initial state from the folded Gaussian
-Stream make_stream(const SimulationPlan& plan, std::uint32_t number,
-                   const InitialStateSampler* sampler) {
+TrajectoryStream make_stream(const SimulationPlan& plan, std::uint32_t number,
+                             const InitialStateSampler* sampler) {
   ImpulseSource source(plan.excitation, plan.seed, number);
-  const State start =
+  const OscillatorState start =
       sampler ? (*sampler)(plan.seed, number)
               : folded_initial_state(source, plan.displacement_deviation, plan.velocity_deviation);
-  Impulse first{.waiting = std::numeric_limits<double>::infinity(), .amplitude = 0};
+  Impulse first{.waiting_time = std::numeric_limits<double>::infinity(), .amplitude = 0};
   if (std::isfinite(plan.excitation.interval)) first = source.next_impulse();
-  Stream stream{.branch = {.y = start.y,
-                           .v = start.v,
-                           .time_to_impulse = first.waiting,
-                           .amplitude = first.amplitude,
-                           .time_to_sample = plan.sampling_interval / 2,
-                           .remaining = 0},
-                .source = source,
-                .record = StreamStatistics(plan.y_bins, plan.v_bins),
-                .noise = NoiseSource(plan.seed, number)};
-  if (plan.deposit) stream.record.deposit = DepositedSums(plan.deposit->grid);
-  if (plan.kicks.is_present()) {
-    // The first kick has a random phase: on average the samples are then evenly distributed over
-    // the interval between kicks.
+  TrajectoryStream stream{.branch = {.y = start.y,
+                                     .v = start.v,
+                                     .time_to_impulse = first.waiting_time,
+                                     .amplitude = first.amplitude,
+                                     .time_to_sample = plan.sampling_interval / 2,
+                                     .remaining = 0},
+                          .source = source,
+                          .record = TrajectoryStreamStatistics(plan.y_bins, plan.v_bins),
+                          .noise = NoiseSource(plan.seed, number)};
+  if (plan.deposit) stream.record.deposit = DepositedSampleSums(plan.deposit->grid);
+  if (plan.kicks.is_acting()) {
+    // The first noise kick has a random phase, so that samples are evenly distributed over the
+    // interval between kicks on average.
     const double share =
-        uniform_numbers(plan.seed, number, RandomNumberPurpose::start, kBlockSize).third[1];
+        uniform_random_numbers(plan.seed, number, RandomNumberPurpose::start, kImpulsesPerBlock)
+            .third[1];
     stream.branch.kick_interval = plan.kicks.longest_interval;
     stream.branch.time_to_kick = share * plan.kicks.longest_interval;
   }
@@ -82,12 +84,12 @@ Simulation::Simulation(const problem::Problem& problem, const SimulationPlan& pl
 
 void Simulation::set_splitting(const ImportanceSplitting& splitting) {
   motion_.splitting = &splitting;
-  for (Stream& stream : streams_) stream.record.energies.clear();
+  for (TrajectoryStream& stream : streams_) stream.record.energies.clear();
 }
 
-void Simulation::enable_series() {
+void Simulation::enable_displacement_series() {
   assert(motion_.splitting == nullptr);
-  motion_.keeps_series = true;
+  motion_.records_displacement_series = true;
 }
 
 void Simulation::enable_states() {
@@ -103,11 +105,11 @@ void Simulation::restart_stream(std::size_t stream, double y, double v) {
   branch.time_to_sample = plan_->sampling_interval / 2;
   if (std::isfinite(plan_->excitation.interval)) {
     const Impulse next = streams_[stream].source.next_impulse();
-    branch.time_to_impulse = next.waiting;
+    branch.time_to_impulse = next.waiting_time;
     branch.amplitude = next.amplitude;
-    if (plan_->excitation.arrivals == Excitation::Arrivals::even) {
-      // The phase of evenly spaced kicks is uniform: the distribution function of a Gaussian
-      // amplitude is a uniform random number.
+    if (plan_->excitation.arrivals == ImpulseProcess::Arrivals::even) {
+      // Evenly spaced kicks have a uniform random phase, for which the distribution function of an
+      // unused Gaussian amplitude is the random number.
       const Impulse other = streams_[stream].source.next_impulse();
       const double deviations =
           (other.amplitude - plan_->excitation.mean) / plan_->excitation.width;
@@ -117,42 +119,42 @@ void Simulation::restart_stream(std::size_t stream, double y, double v) {
 }
 
 // Returns the forces that press the mass on the left and on the right wall at the time t.
-std::array<double, 2> Simulation::contact_forces(double t) const {
-  const double force = plan_->time.force(t);
+std::array<double, 2> Simulation::contact_forces_at_time(double t) const {
+  const double force = plan_->time.external_force(t);
   return {plan_->oscillator.left.contact_force - force,
           plan_->oscillator.right.contact_force + force};
 }
 
 // Sets the contact forces to the values at the time t, and ends the rest of all masses. A mass that
-// the new contact force presses on the wall comes to rest again immediately.
+// the changed contact force presses on the wall comes to rest again immediately.
 void Simulation::set_contact_forces(double t) {
-  const auto [left, right] = contact_forces(t);
+  const auto [left, right] = contact_forces_at_time(t);
   set_contact_force(plan_->oscillator, left, motion_.oscillator.left);
   set_contact_force(plan_->oscillator, right, motion_.oscillator.right);
-  for (Stream& stream : streams_) stream.branch.time_to_rest = -1;
+  for (TrajectoryStream& stream : streams_) stream.branch.time_to_rest = -1;
 }
 
 void Simulation::advance_between_times(double from, double to) {
-  motion_.time_dependence = plan_->time.is_present() ? &plan_->time : nullptr;
+  motion_.time_dependence = plan_->time.is_acting() ? &plan_->time : nullptr;
   const auto advance_to = [&](double end) {
     motion_.end_time = end;
     advance_streams(false, end - from);
     from = end;
   };
-  const Oscillator& oscillator = plan_->oscillator;
+  const SimulatedOscillator& oscillator = plan_->oscillator;
   const std::array has_wall{oscillator.left.exists, oscillator.right.exists};
   if (!plan_->time.has_external_force() || !(has_wall[0] || has_wall[1])) return advance_to(to);
   // While a force presses the mass on a wall, the contact force is taken as constant on intervals
   // of half a radian, since the force only determines the end of the bounces below
-  // Wall::rest_speed. Intervals also end at zeros of the contact force, which are searched in steps
-  // of 1/10 radian.
+  // SimulatedWall::rest_speed. Intervals of constant contact force also end at zeros of the contact
+  // force, which are searched in steps of 1/10 radian.
   constexpr double kSearchStep = 0.1, kPressedInterval = 0.5, kShortest = 1e-6;
   while (from < to) {
     double end = to;
     const double earliest_end = from + kShortest / oscillator.frequency;
     for (std::size_t wall = 0; wall < has_wall.size(); ++wall) {
       if (!has_wall[wall]) continue;
-      const auto force = [&](double t) { return contact_forces(t)[wall]; };
+      const auto force = [&](double t) { return contact_forces_at_time(t)[wall]; };
       if (force(earliest_end) > 0) {
         end = std::min(end, from + kPressedInterval / oscillator.frequency);
       }
@@ -170,14 +172,14 @@ void Simulation::advance_between_times(double from, double to) {
 
 void Simulation::run_burn_in() { advance_streams(false, plan_->burn_in); }
 
-void Simulation::run_round() {
+void Simulation::run_sampling_round() {
   advance_streams(true, plan_->round_time());
   ++rounds_;
 }
 
 void Simulation::advance_streams(bool recorded, double time) {
   static const simd::SimdVariant lanes = simd::available_simd_variants().back();
-  MotionParameters motion = motion_;
+  StreamMotionParameters motion = motion_;
   if (!recorded) {
     motion.records = false;
     motion.keeps_states = false;
@@ -187,7 +189,7 @@ void Simulation::advance_streams(bool recorded, double time) {
   const std::size_t groups = (streams_.size() + kGroup - 1) / kGroup;
   base::parallel_for(groups, plan_->threads, [&](std::size_t g) {
     if (!is_stream_of_part(part_, g * kGroup)) return;
-    std::vector<Stream*> group;
+    std::vector<TrajectoryStream*> group;
     for (std::size_t s = g * kGroup; s < std::min((g + 1) * kGroup, streams_.size()); ++s) {
       group.push_back(&streams_[s]);
     }

@@ -17,13 +17,13 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// Durations in units of the decay time of the slowest mode
+// Durations of simulations in units of the decay time of the slowest mode
 constexpr double kAutomaticTime = 1.6e6;
 constexpr double kBurnIn = 20;      // 20 decay times leave exp(-20) of the initial deviation
 constexpr double kLeastBurnIn = 5;  // shortest burn-in of a converged solution
 // 99 % quantile of the L1 sampling error of p(y) or p(y'), times the square root of the simulated
-// time in decay times. The product is 0.6 to 2.3 in the shipped cases with a single well and
-// without strong losses. In all other cases the product is at most 4.3 (`fpkcheck mcs CASE --json`,
+// time in decay times. This product is 0.6 to 2.3 in the shipped cases with a single well and
+// without strong impact losses, and at most 4.3 in all other cases (`fpkcheck mcs CASE --json`,
 // keys sampling_l1 and time).
 constexpr double kErrorOfOneDecayTime = 2.5;
 
@@ -33,9 +33,9 @@ constexpr double kTailsShare = 1.0 / 32;
 // in the cases of the paper: a third of the errors of finite volumes or less
 constexpr double kControlledShare = 1.0 / 32;
 
-// Limits of the number of impulses and flights in all streams. One processor simulates 2e7 to 3e7
-// impulses and flights per second. The limit for a default run corresponds to a few seconds of
-// computing with flights other than DuffingFlights.
+// Limits of the number of impulses and flights in all trajectory streams. One processor simulates
+// 2e7 to 3e7 impulses and flights per second. The limit for a default simulation corresponds to a
+// few seconds of computing with flights other than DuffingFlights.
 constexpr double kDefaultEvents = 4e7;
 constexpr double kMostRunEvents = 2e9;  // limit for any run: about one minute of computing
 // Limit of the number of impulses and flights of the main branches with splitting, simulated in
@@ -44,10 +44,10 @@ constexpr double kMostRunEvents = 2e9;  // limit for any run: about one minute o
 // time, and leave half of the SIMD lanes idle.
 constexpr double kMostTrunkEvents = 2.5e6;
 
-// longest default time with Options::samples or Options::target_error, as a multiple of the
-// automatic time
+// longest default time with SimulationOptions::samples or SimulationOptions::target_error, as a
+// multiple of the automatic time
 constexpr double kMostAutomaticTimes = 1e4;
-// longest burn-in of all streams, as a fraction of the default time
+// longest burn-in of all trajectory streams, as a fraction of the default time
 constexpr double kLongestBurnIn = 1.0 / 8;
 
 struct StreamEventRates {
@@ -62,7 +62,7 @@ struct StreamEventRates {
   double total_rate() const { return impulses + flights; }
 };
 
-double default_simulated_time(const Options& options, const StreamEventRates& rates) {
+double default_simulated_time(const SimulationOptions& options, const StreamEventRates& rates) {
   const double share = options.tails ? kTailsShare : options.controlled ? kControlledShare : 1;
   const double full = kAutomaticTime * share / rates.decay;
   const double most = (options.tails ? kMostTrunkEvents : kMostRunEvents) / rates.total_rate();
@@ -71,15 +71,15 @@ double default_simulated_time(const Options& options, const StreamEventRates& ra
           ? most
           : kDefaultEvents * (options.tails ? kTailsShare : 1) / rates.total_rate();
   const double enough = std::pow(kErrorOfOneDecayTime / options.accuracy, 2) / rates.decay;
-  // true if Options::accuracy requires more than the full time or, with several wells, more than a
-  // minute of computing
+  // true if SimulationOptions::accuracy requires more than the full time or, with several wells,
+  // more than a minute of computing
   const bool is_out_of_reach = enough > full || (enough > most && rates.wells > 1);
   return std::min(full,
                   is_out_of_reach ? default_time : std::max(default_time, std::min(enough, most)));
 }
 
-double burn_in_time(const Options& options, const StreamEventRates& rates, double automatic,
-                    double time) {
+double burn_in_time(const SimulationOptions& options, const StreamEventRates& rates,
+                    double automatic, double time) {
   return std::min(kBurnIn / rates.decay,
                   std::max(kLongestBurnIn * automatic, time) / options.streams);
 }
@@ -92,12 +92,14 @@ struct SimulationDurations {
 };
 
 /// Chooses the simulated time and the burn-in. The full simulated time is 1.6e6 decay times,
-/// reduced as in Options::time, with L1 sampling errors of p(y) and p(y') of about 6e-4. The
-/// default is the full time if the simulation takes at most a minute with DuffingFlights, or a few
-/// seconds with other flights. Otherwise the simulation takes a few seconds, or up to a minute if
-/// Options::accuracy requires a longer simulation. With several wells and rare transitions even a
-/// minute would not determine the masses of the wells, and the simulation takes only a few seconds.
-SimulationDurations choose_durations(const Options& options, const StreamEventRates& rates) {
+/// reduced as in SimulationOptions::time, with L1 sampling errors of p(y) and p(y') of about 6e-4.
+/// The default simulated time is the full time if the simulation takes at most a minute with
+/// DuffingFlights, or a few seconds with other flights. If the full time would take longer, the
+/// simulation takes a few seconds, or up to a minute if SimulationOptions::accuracy requires a
+/// longer simulation. With several wells and rare transitions even a minute would not determine the
+/// masses of the wells, and the simulation takes only a few seconds.
+SimulationDurations choose_durations(const SimulationOptions& options,
+                                     const StreamEventRates& rates) {
   const double automatic = default_simulated_time(options, rates);
   const bool open_ended = options.samples || options.target_error;
   const double time = options.time.value_or(automatic * (open_ended ? kMostAutomaticTimes : 1));
@@ -121,16 +123,16 @@ SimulationDurations choose_durations(const Options& options, const StreamEventRa
 constexpr double kMostSamples = 1e15;  // largest number of samples per stream
 
 constexpr int kAutomaticBins = 140;
-// interval between the kicks of white noise in radians
+// interval between the noise kicks of white noise, in radians
 constexpr double kAutomaticWhiteStep = 0.05;
-// Compared with 25 samples per period, 50 samples would reduce the sampling noise of the bins by
-// 1/7, at a higher cost.
+// With 50 instead of 25 samples per period the sampling noise of the bins would be smaller by 1/7,
+// at a higher cost.
 constexpr double kSamplesPerPeriod = 25;
 // Progress reports and interruptions occur between rounds. A round takes the least of 1/40 of the
 // default time, 1/8 of the requested time, and about 0.1 s of computing time.
 constexpr double kAutomaticRounds = 40;
 constexpr double kFewestRounds = 8;
-// largest number of impulses and flights of all streams in a round
+// largest number of impulses and flights of all trajectory streams in a round
 constexpr double kMostEvents = 2e7;
 
 std::vector<double> evenly_spaced_edges(double from, double to) {
@@ -145,18 +147,19 @@ BinFinder make_bin_finder(const std::vector<double>& edges, double from, double 
   return BinFinder(edges.empty() ? evenly_spaced_edges(from, to) : edges);
 }
 
-struct RoundCounts {
+struct SimulationRoundCounts {
   std::uint64_t samples, rounds;
 };
 
 /// @param events number of impulses, kicks and flights per unit time
-RoundCounts choose_rounds(const Options& options, const SimulationDurations& durations,
-                          double interval, double events) {
+SimulationRoundCounts choose_rounds(const SimulationOptions& options,
+                                    const SimulationDurations& durations, double interval,
+                                    double events) {
   const double time = durations.time;
   const double round_time = std::min(
       {durations.automatic / kAutomaticRounds, time / kFewestRounds, kMostEvents / events});
-  // The length of a round is independent of the requested time, unless the requested time is short.
-  // A longer simulation can therefore resume from the checkpoint of a shorter simulation.
+  // The length of a sampling round is independent of the requested time, unless the requested time
+  // is short. A longer simulation can therefore resume from the checkpoint of a shorter simulation.
   const double samples = std::ceil(round_time / options.streams / interval * (1 - 1e-12));
   const double rounds = std::ceil(time / (samples * options.streams * interval) * (1 - 1e-12));
   if (!(samples >= 1 && samples * rounds <= kMostSamples)) {
@@ -194,10 +197,10 @@ double default_kick_step(const problem::Problem& problem, const problem::MotionS
 }
 
 /// The bin edges of y must begin at 0 only if is_duffing_at_wall().
-void validate_for_problem(const problem::Problem& problem, const Options& options) {
+void validate_for_problem(const problem::Problem& problem, const SimulationOptions& options) {
   if (is_duffing_at_wall(problem)) return validate(options);
   if (!options.y_edges.empty()) require_increasing_edges("mcs.y_edges", options.y_edges);
-  Options others = options;
+  SimulationOptions others = options;
   others.y_edges.clear();
   validate(others);
   if (options.deposit) {
@@ -213,17 +216,18 @@ void validate_for_problem(const problem::Problem& problem, const Options& option
 }
 
 /// Returns the impulses of the problem, or the evenly spaced kicks that replace the impulses as
-/// white noise. If NoiseKicks replace the impulses, the interval between impulses is infinite.
-Excitation make_excitation(const problem::Problem& problem, const Options& options,
-                           const problem::MotionScales& scales) {
+/// white noise. If NoiseKicks replace the impulses by white noise, the interval between impulses is
+/// infinite.
+ImpulseProcess make_excitation(const problem::Problem& problem, const SimulationOptions& options,
+                               const problem::MotionScales& scales) {
   const bool white = options.equation == DensityEquation::white;
   if (white && is_duffing_at_wall(problem)) {
-    return white_noise_excitation(
+    return white_noise_impulse_process(
         problem.impulses, options.white_step.value_or(kAutomaticWhiteStep) / scales.frequency);
   }
-  Excitation excitation = poisson_excitation(problem.impulses);
+  ImpulseProcess excitation = poisson_impulse_process(problem.impulses);
   excitation.power = problem::total_excitation_intensity(problem) / 2;
-  if (white || !problem.impulses.is_present()) {
+  if (white || !problem.impulses.is_acting()) {
     excitation.interval = std::numeric_limits<double>::infinity();
     // The expected work of noise kicks alone is 0; see apply_noise_kick().
     excitation.work = 0;
@@ -233,7 +237,8 @@ Excitation make_excitation(const problem::Problem& problem, const Options& optio
 
 }  // namespace
 
-SimulationPlan make_simulation_plan(const problem::Problem& problem, const Options& options) {
+SimulationPlan make_simulation_plan(const problem::Problem& problem,
+                                    const SimulationOptions& options) {
   validate_for_problem(problem, options);
   const bool duffing_at_wall = is_duffing_at_wall(problem);
   const problem::MotionScales scales = problem::motion_scales(problem);
@@ -244,22 +249,22 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem, const Optio
       problem.noise.diffusion() + (by_kicks ? problem.impulses.rate_times_moment(2) / 2 : 0);
   const NoiseKicks kicks = make_noise_kicks(
       problem, scales, diffusion, options.white_step.value_or(default_kick_step(problem, scales)));
-  const bool has_contact_atoms = features.rests_in_contact && !kicks.is_present();
-  const Excitation excitation = make_excitation(problem, options, scales);
-  const double step = options.step.value_or(kAutomaticStep);
+  const bool has_contact_atoms = features.rests_in_contact && !kicks.is_acting();
+  const ImpulseProcess excitation = make_excitation(problem, options, scales);
+  const double step = options.step.value_or(kAutomaticStepInRadians);
   // The frequency at the mean energy determines the sampling interval. If most of the probability
-  // mass is at rest in contact, the frequency at the mean energy belongs to tiny bounces. Therefore
-  // the rate of impulses gives a lower limit of the sampling interval.
+  // mass is at rest in contact, the frequency at the mean energy belongs to tiny bounces. The
+  // impulse rate therefore gives a lower limit of the sampling interval.
   constexpr double kSamplesPerRest = 50;
   const double least =
       has_contact_atoms ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;
   const double interval =
       std::max(2 * std::numbers::pi / scales.frequency / kSamplesPerPeriod, least);
-  const double kick_rate = kicks.is_present() ? 1 / kicks.longest_interval : 0;
-  const Oscillator oscillator = make_oscillator(
-      problem, scales, by_kicks ? problem.impulses.rate_times_moment(1) : 0, kicks.is_present());
-  // A FormulaFlight is about a quarter as long as a PolynomialFlight.
-  const double flights_per_step = oscillator.kind == Oscillator::Kind::formula ? 4 : 1;
+  const double kick_rate = kicks.is_acting() ? 1 / kicks.longest_interval : 0;
+  const SimulatedOscillator oscillator = make_oscillator(
+      problem, scales, by_kicks ? problem.impulses.rate_times_moment(1) : 0, kicks.is_acting());
+  // A FormulaFlight lasts about a quarter of the time of a PolynomialFlight.
+  const double flights_per_step = oscillator.kind == SimulatedOscillator::Kind::formula ? 4 : 1;
   const StreamEventRates rates{.decay = scales.slowest_decay_rate,
                                .impulses = 1 / excitation.interval,
                                .flights = kick_rate + flights_per_step * scales.frequency / step,
@@ -267,7 +272,7 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem, const Optio
                                .wells = features.wells};
   const SimulationDurations durations = choose_durations(options, rates);
   const auto [samples, rounds] = choose_rounds(options, durations, interval, rates.total_rate());
-  std::optional<DepositPlan> deposit;
+  std::optional<SampleDepositPlan> deposit;
   if (options.deposit) {
     deposit.emplace(*options.deposit, problem.impulses.arrival_rate(), interval);
   }
@@ -279,7 +284,7 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem, const Optio
       .oscillator = oscillator,
       .kicks = kicks,
       .step = step,
-      .event_rate = rates.total_rate(),
+      .expected_event_rate = rates.total_rate(),
       .burn_in = durations.burn_in,
       .short_burn_in_cause = durations.short_burn_in_cause,
       .sampling_interval = interval,
@@ -296,7 +301,7 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem, const Optio
       .time = problem.time};
 }
 
-std::string short_burn_in_reason(const SimulationPlan& plan, const Options& options) {
+std::string short_burn_in_reason(const SimulationPlan& plan, const SimulationOptions& options) {
   const auto text = [&](const std::string& cause, const char* action) {
     return fmt::format("the burn-in of {:.2g} is below 5 decay times: {}; {}", plan.burn_in, cause,
                        action);

@@ -15,7 +15,7 @@ namespace fpkcheck::mcs {
 
 /// Default limit of the Taylor step in radians, with smaller errors of the flights than the
 /// classical Runge-Kutta method with step 0.05 (docs/simulation.md).
-inline constexpr double kAutomaticStep = 0.9;
+inline constexpr double kAutomaticStepInRadians = 0.9;
 
 enum class ShortBurnInCause {
   none,      ///< the burn-in takes at least 5 decay times
@@ -29,10 +29,11 @@ struct SimulationPlan {
   int threads;
   std::uint64_t seed;
   problem::WallFrame frame;  ///< frame that maps the results to physical coordinates
-  Oscillator oscillator;
+  SimulatedOscillator oscillator;
   NoiseKicks kicks;
   double step;
-  double event_rate;  ///< expected number of impulses, kicks and flights per unit time of a stream
+  /// Expected number of impulses, kicks and flights per unit time of a trajectory stream
+  double expected_event_rate;
   double burn_in;
   ShortBurnInCause short_burn_in_cause;
   double sampling_interval;
@@ -43,23 +44,24 @@ struct SimulationPlan {
   double displacement_deviation;
   double velocity_deviation;  ///< standard deviation sigma_2 of y'
   bool has_contact_atoms;     ///< whether the stationary law has atoms at rest in contact
-  Excitation excitation;
+  ImpulseProcess excitation;
   BinFinder y_bins;
   BinFinder v_bins;
-  std::optional<DepositPlan> deposit{};
-  problem::TimeDependence time{};  ///< changes of the excitation in time
+  std::optional<SampleDepositPlan> deposit{};
+  problem::ExcitationTimeDependence time{};  ///< changes of the excitation in time
 
   double round_time() const { return static_cast<double>(samples_per_round) * sampling_interval; }
 
-  const BinFinder& bin_finder(transform::StateVariable variable) const {
+  const BinFinder& bin_finder_of_variable(transform::StateVariable variable) const {
     return variable == transform::StateVariable::y ? y_bins : v_bins;
   }
 };
 
 /// @throws InputError for invalid options, and for options that are not supported for the problem
-SimulationPlan make_simulation_plan(const problem::Problem& problem, const Options& options);
+SimulationPlan make_simulation_plan(const problem::Problem& problem,
+                                    const SimulationOptions& options);
 
 /// Returns why the burn-in is below 5 decay times, and what to do; empty for a long burn-in.
-std::string short_burn_in_reason(const SimulationPlan& plan, const Options& options);
+std::string short_burn_in_reason(const SimulationPlan& plan, const SimulationOptions& options);
 
 }  // namespace fpkcheck::mcs

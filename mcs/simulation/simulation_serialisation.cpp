@@ -27,15 +27,15 @@ void read_binary(std::istream& in, Number& number) {
   in.read(reinterpret_cast<char*>(&number), sizeof number);
 }
 
-// size limit of a list that has no expected size
+// largest size of a list in a checkpoint whose expected size is unknown
 constexpr std::uint64_t kLargestFreeSize = 100000;
 
 void require_valid_list(bool holds) {
   if (!holds) throw InputError("wrong number of entries");
 }
 
-/// Writes a list of numbers in binary form. A sequence of zeros is stored as the number of zeros,
-/// since most lists consist mainly of zeros.
+/// Writes a list of numbers in binary form. Successive zeros are stored as the number of zeros,
+/// since most lists of statistics consist mainly of zeros.
 void write_binary(std::ostream& out, const std::vector<double>& numbers) {
   write_binary(out, std::uint64_t{numbers.size()});
   for (std::size_t k = 0; k < numbers.size();) {
@@ -69,8 +69,8 @@ void read_binary(std::istream& in, std::vector<double>& numbers) {
   require_valid_list(static_cast<bool>(in));
 }
 
-// Every number of a saved state is checked: a checksum can be forged, and a simulation from
-// impossible numbers may never end.
+// Every number of a saved simulation state is checked, since a simulation from impossible numbers
+// may never end, and a checksum can be forged.
 void require_valid_state(bool holds) {
   if (!holds) throw InputError("impossible numbers in the saved state");
 }
@@ -83,7 +83,7 @@ bool is_finite(const Numbers& numbers) {
 }
 
 bool is_between_walls(double y, double farthest, const SimulationPlan& plan) {
-  const Oscillator& o = plan.oscillator;
+  const SimulatedOscillator& o = plan.oscillator;
   return y >= (o.left.exists ? 0.0 : plan.centre - farthest) &&
          y <= (o.right.exists ? o.right.position : plan.centre + farthest);
 }
@@ -91,7 +91,7 @@ bool is_between_walls(double y, double farthest, const SimulationPlan& plan) {
 bool has_valid_times(const TrajectoryBranch& branch, const NoiseKicks& kicks) {
   // limit of the interval between kicks, with an allowance for rounding
   const double longest_interval = 1.01 * kicks.longest_interval;
-  const bool waits = kicks.is_present()
+  const bool waits = kicks.is_acting()
                          ? branch.time_to_kick >= 0 && branch.time_to_kick <= longest_interval &&
                                branch.kick_interval >= 0 && branch.kick_interval <= longest_interval
                          : branch.time_to_kick > 0 && branch.kick_interval == 0;
@@ -104,9 +104,10 @@ bool is_valid_state(const TrajectoryBranch& branch, const SimulationPlan& plan) 
   // largest valid speed, in units of the velocity deviation plus the largest impulse
   constexpr double kFarthest = 1e4;
   // Largest valid waiting time, in mean waiting times, and largest valid amplitude, in widths of
-  // the law. Larger random values have the probability exp(-1000).
+  // the law. Random waiting times and amplitudes beyond these limits have the probability
+  // exp(-1000).
   constexpr double kRarestDraws = 1e3;
-  const Excitation& impulses = plan.excitation;
+  const ImpulseProcess& impulses = plan.excitation;
   const double strongest = std::abs(impulses.mean) + kRarestDraws * impulses.width;
   const double v = kFarthest * (plan.velocity_deviation + strongest);
   const double y = v * plan.displacement_deviation / plan.velocity_deviation;
@@ -121,14 +122,14 @@ bool is_valid_state(const TrajectoryBranch& branch, const SimulationPlan& plan) 
 
 }  // namespace
 
-void Simulation::save_stream(std::ostream& out, const Stream& stream) const {
+void Simulation::save_stream(std::ostream& out, const TrajectoryStream& stream) const {
   write_binary(out, stream.branch);
   write_binary(out, stream.source.drawn_impulse_count());
   write_binary(out, stream.noise.drawn_number_count());
   for_each_statistic(stream.record, [&](const auto& sum) { write_binary(out, sum); });
 }
 
-void Simulation::load_stream(std::istream& in, Stream& stream) const {
+void Simulation::load_stream(std::istream& in, TrajectoryStream& stream) const {
   std::uint64_t number = 0;
   read_binary(in, stream.branch);
   const int threshold_count = motion_.splitting ? motion_.splitting->threshold_count() : 0;
@@ -148,7 +149,7 @@ void Simulation::load_stream(std::istream& in, Stream& stream) const {
 
 void Simulation::save_state(std::ostream& out) const {
   write_binary(out, rounds_);
-  for (const Stream& stream : streams_) save_stream(out, stream);
+  for (const TrajectoryStream& stream : streams_) save_stream(out, stream);
 }
 
 void Simulation::load_state(std::istream& in) {
@@ -157,11 +158,11 @@ void Simulation::load_state(std::istream& in) {
   // manipulated.
   constexpr std::uint64_t kMostRounds = std::uint64_t{1} << 50;
   require_valid_state(rounds_ <= kMostRounds);
-  for (Stream& stream : streams_) load_stream(in, stream);
+  for (TrajectoryStream& stream : streams_) load_stream(in, stream);
   require_valid_state(static_cast<bool>(in) && in.peek() == std::istream::traits_type::eof());
 }
 
-void Simulation::save_own_streams(std::ostream& out) const {
+void Simulation::save_streams_of_this_process(std::ostream& out) const {
   for (std::size_t s = 0; s < streams_.size(); ++s) {
     if (is_stream_of_part(part_, s)) save_stream(out, streams_[s]);
   }

@@ -24,7 +24,8 @@ void require_increasing_edges(const std::string& name, const std::vector<double>
 
 BinFinder::BinFinder(std::vector<double> edges)
     : edges_(std::move(edges)), first_edge_(edges_.front()) {
-  // The NaN at both ends stop the search in operator(), since comparisons with NaN are false.
+  // A NaN at each end of the edges stops the bin search in operator(), since comparisons with NaN
+  // are false.
   guarded_edges_.push_back(std::numeric_limits<double>::quiet_NaN());
   guarded_edges_.insert(guarded_edges_.end(), edges_.begin(), edges_.end());
   guarded_edges_.push_back(std::numeric_limits<double>::quiet_NaN());
@@ -44,7 +45,7 @@ BinFinder::BinFinder(std::vector<double> edges)
   }
 }
 
-std::vector<double> Histogram::row_sums() const {
+std::vector<double> JointHistogram::row_sums() const {
   std::vector<double> sums(rows());
   for (std::size_t i = 0; i < rows(); ++i) {
     for (std::size_t j = 0; j < columns(); ++j) sums[i] += (*this)(i, j);
@@ -52,7 +53,7 @@ std::vector<double> Histogram::row_sums() const {
   return sums;
 }
 
-std::vector<double> Histogram::column_sums() const {
+std::vector<double> JointHistogram::column_sums() const {
   std::vector<double> sums(columns());
   for (std::size_t i = 0; i < rows(); ++i) {
     for (std::size_t j = 0; j < columns(); ++j) sums[j] += (*this)(i, j);

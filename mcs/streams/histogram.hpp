@@ -26,19 +26,19 @@ class BinFinder {
     return bin;
   }
 
-  bool is_evenly_spaced() const { return even_; }
+  bool has_evenly_spaced_bins() const { return even_; }
   double first_edge() const { return first_edge_; }
-  double bins_per_length() const { return bins_per_length_; }
-  /// Distance by which a number on an edge is moved off the edge, small relative to a bin and large
-  /// relative to rounding.
-  double edge_epsilon() const { return 1e-13 * (edges_.back() - edges_.front()); }
+  double bins_per_unit_length() const { return bins_per_length_; }
+  /// Distance by which a number on a bin edge is moved off the edge, small relative to a bin and
+  /// large relative to rounding.
+  double bin_edge_epsilon() const { return 1e-13 * (edges_.back() - edges_.front()); }
 
   std::size_t bin_count() const { return edges_.size() - 1; }
   const std::vector<double>& edges() const { return edges_; }
 
  private:
-  /// Returns the approximate index of the cell that contains x; the cells are half as wide as the
-  /// mean bin. Returns 0 for NaN.
+  /// Returns the approximate index of the search cell that contains x; search cells are half as
+  /// wide as the mean bin. The result for NaN is 0.
   double cell_position(double x) const {
     const double from_first = (x - first_edge_) * 2 * bins_per_length_;
     return from_first > 0 ? std::min(from_first, last_cell_) : 0;
@@ -47,7 +47,7 @@ class BinFinder {
   std::vector<double> edges_;
   // bin edges, with a NaN before the first and after the last edge
   std::vector<double> guarded_edges_;
-  // for each cell: index of the bin that contains the lower end of the cell
+  // for each search cell: index of the bin that contains the lower end of the cell
   std::vector<std::uint32_t> first_bin_;
   double first_edge_;
   double bins_per_length_;
@@ -56,10 +56,10 @@ class BinFinder {
 };
 
 /// Histogram of weighted samples of (y, y'), row-major, shape (ny + 2, nv + 2). The first and last
-/// rows and columns hold the samples outside all bins.
-class Histogram {
+/// rows and columns of the histogram hold the samples outside all bins.
+class JointHistogram {
  public:
-  Histogram(const BinFinder& y, const BinFinder& v)
+  JointHistogram(const BinFinder& y, const BinFinder& v)
       : columns_(v.bin_count() + 2), weights_((y.bin_count() + 2) * columns_) {}
 
   void add(std::size_t row, std::size_t column, double weight) {

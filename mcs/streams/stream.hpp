@@ -12,35 +12,36 @@
 
 namespace fpkcheck::mcs {
 
-/// Exponents (p, q) of the estimated moments E[y^p y'^q], 1 <= p + q <= kHighestPower.
-inline constexpr std::size_t kHighestPower = 4;
-inline constexpr std::array<std::pair<int, int>, 14> kPowers{{{1, 0},
-                                                              {0, 1},
-                                                              {2, 0},
-                                                              {1, 1},
-                                                              {0, 2},
-                                                              {3, 0},
-                                                              {2, 1},
-                                                              {1, 2},
-                                                              {0, 3},
-                                                              {4, 0},
-                                                              {3, 1},
-                                                              {2, 2},
-                                                              {1, 3},
-                                                              {0, 4}}};
+/// Exponents (p, q) of the estimated moments E[y^p y'^q], 1 <= p + q <=
+/// kHighestRecordedMomentPower.
+inline constexpr std::size_t kHighestRecordedMomentPower = 4;
+inline constexpr std::array<std::pair<int, int>, 14> kRecordedMomentPowers{{{1, 0},
+                                                                            {0, 1},
+                                                                            {2, 0},
+                                                                            {1, 1},
+                                                                            {0, 2},
+                                                                            {3, 0},
+                                                                            {2, 1},
+                                                                            {1, 2},
+                                                                            {0, 3},
+                                                                            {4, 0},
+                                                                            {3, 1},
+                                                                            {2, 2},
+                                                                            {1, 3},
+                                                                            {0, 4}}};
 
-/// Statistics of one stream: sums over samples and events, weighted with the branch weight (1
-/// without splitting).
-struct StreamStatistics {
-  Histogram histogram;
+/// Statistics of one trajectory stream: sums over samples and events, weighted with the branch
+/// weight (1 without splitting).
+struct TrajectoryStreamStatistics {
+  JointHistogram histogram;
   std::vector<double> peaks;  ///< weights of the maxima of y in each bin of y, outer bins included
   /// Weights of the minima of y without wall contact in each bin of y, outer bins included
   std::vector<double> troughs;
-  std::array<double, kPowers.size()> powers{};
+  std::array<double, kRecordedMomentPowers.size()> powers{};
   /// Sums of y^5 and y^6 over samples; 0 with DuffingFlights, whose balances do not need these sums
   double y5 = 0, y6 = 0;
-  /// Sums of f, y f and y' f over samples for Oscillator::Kind::formula, with the force f of Ito's
-  /// sense; otherwise 0
+  /// Sums of f, y f and y' f over samples for SimulatedOscillator::Kind::formula, with the force f
+  /// of Ito's sense; otherwise 0
   double force = 0, force_y = 0, force_v = 0;
   double noise_factor = 0;  ///< sum of G = g^2 over samples with multiplicative noise; otherwise 0
   double impulse_factor = 0;  ///< sum of b^2 over samples with parametric impulses; otherwise 0
@@ -57,22 +58,23 @@ struct StreamStatistics {
   double left_energy = 0;
   double right_momentum = 0;   ///< the same sum as left_momentum, for the right wall
   double right_energy = 0;     ///< the same sum as left_energy, for the right wall
-  double work = 0;             ///< work of the impulses, defined as in Excitation::work
+  double work = 0;             ///< work of the impulses, defined as in ImpulseProcess::work
   std::uint64_t impulses = 0;  ///< number of impulses of the main branch
   std::uint64_t branch_impulses = 0;
   std::uint64_t flights = 0;
   /// Histogram of the energies right after impulses, in ImportanceSplitting::energy_bins(); empty
   /// without splitting
   std::vector<double> energies{};
-  /// Sums for the control variates, on the splines of Options::deposit; empty without control
-  /// variates
-  DepositedSums deposit{};
+  /// Sums for the control variates, on the splines of SimulationOptions::deposit; empty without
+  /// control variates
+  DepositedSampleSums deposit{};
 
-  StreamStatistics(const BinFinder& y, const BinFinder& v)
+  TrajectoryStreamStatistics(const BinFinder& y, const BinFinder& v)
       : histogram(y, v), peaks(y.bin_count() + 2), troughs(y.bin_count() + 2) {}
 };
 
-/// Calls `visit` with each sum of the statistics of a stream, in the order of checkpoint files.
+/// Calls `visit` with each sum of the statistics of a trajectory stream, in the order of checkpoint
+/// files.
 template <class Record, class Visit>
 void for_each_statistic(Record& record, Visit visit) {
   visit(record.powers);
@@ -108,12 +110,13 @@ struct TrajectoryBranch {
   double time_to_rest = -1;
   int energy_level = 0;  ///< number of splitting thresholds below the energy of the branch
   int floor_level = 0;   ///< level of the energy below which the branch ends
-  /// Bit i is set if threshold i + 1 has split the branch during the rise of its energy
-  /// (ImportanceSplitting).
+  /// Bit set of the energy thresholds at which the trajectory was split: bit i stands for threshold
+  /// i + 1 (ImportanceSplitting).
   std::uint64_t split = 0;
 };
 
-/// A pending branch of a stream, or several pending branches with the same initial state.
+/// A pending branch of a trajectory stream, or several pending branches with the same initial
+/// state.
 struct PendingBranch {
   TrajectoryBranch branch;
   /// Number of pending branches that each draw a new impulse; 0 for one branch with a stored
@@ -131,16 +134,16 @@ struct RecordedState {
   double kick_variance = 0;  ///< variance of the velocity change by a noise kick
 };
 
-struct Stream {
+struct TrajectoryStream {
   TrajectoryBranch branch;
   ImpulseSource source;
-  StreamStatistics record;
+  TrajectoryStreamStatistics record;
   /// Pending branches, with the main branch first
   std::vector<PendingBranch> pending_branches{};
   NoiseSource noise{0, 0};
-  /// Samples of y in the order of time, if MotionParameters::keeps_series
+  /// Samples of y in the order of time, if StreamMotionParameters::records_displacement_series
   std::vector<double> series{};
-  /// States in the order of time, if MotionParameters::keeps_states
+  /// States in the order of time, if StreamMotionParameters::keeps_states
   std::vector<RecordedState> states{};
 
   bool is_on_main_branch() const { return pending_branches.empty(); }

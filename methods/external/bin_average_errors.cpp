@@ -85,8 +85,8 @@ std::vector<BinAverageError> compute_bin_average_errors(std::span<const double> 
   return bins;
 }
 
-// Neighbouring bins have correlated errors, since they share points. The quantile therefore comes
-// from random samples of the errors of the points.
+// Neighbouring bins have correlated errors, since they share points. The 99 % quantile of the L1
+// sampling error is therefore computed from random samples of the errors at the points.
 L1SamplingError l1_sampling_error(std::span<const BinAverageError> bins) {
   constexpr int kReplicates = 1000;
   constexpr std::uint64_t kSeed = 20240501;  // an arbitrary fixed seed for reproducible results

@@ -41,8 +41,8 @@ bool is_near_one(double sum) {
 }
 
 // Returns the gap between two bins relative to the width of the narrower bin. The width of the
-// wider bin is not used, since a narrow bin inside a wide bin would then count as contiguous.
-// Differences of halved numbers cannot overflow.
+// wider bin is not used, since a narrow bin inside a wide bin would then count as contiguous. The
+// edges of the bins are halved, since differences of halved numbers cannot overflow.
 double relative_gap(const std::vector<double>& bin, const std::vector<double>& next) {
   const auto half_width = [](const auto& row) { return std::abs(row[1] / 2 - row[0] / 2); };
   return std::abs(next[0] / 2 - bin[1] / 2) / std::min(half_width(bin), half_width(next));
@@ -76,7 +76,7 @@ bool are_bins_adjacent(const std::vector<double>& bin, const std::vector<double>
 }
 
 bool is_histogram(const NumberTable& table) {
-  if (table.columns() != 3) return false;
+  if (table.column_count() != 3) return false;
   const auto& names = table.names;
   const bool named =
       any_of(names, kEdges) || (!names.empty() && (is_one_of(names.back(), kCounts) ||

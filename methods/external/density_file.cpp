@@ -46,7 +46,8 @@ DensityFileContent read_density_file(const std::filesystem::path& file) {
 
 namespace {
 
-epc::ClosedForm to_closed_form(const transform::Metrics& metrics, const std::string& file_name) {
+epc::ClosedFormDensity to_closed_form(const transform::Metrics& metrics,
+                                      const std::string& file_name) {
   try {
     return epc::read_closed_form(metrics);
   } catch (const InputError& error) {
@@ -62,7 +63,7 @@ ClosedFormFile closed_form_of_run(const results::Run& run, const std::string& fi
   if (!requested && std::ranges::find(cases, choice.default_case) != cases.end()) {
     requested = choice.default_case;
   }
-  const auto& case_result = run.cases[select_requested_index(cases, requested, "case", file_name)];
+  const auto& case_result = run.cases[index_of_requested_name(cases, requested, "case", file_name)];
 
   std::vector<std::string> with_form;
   for (const auto& solution : case_result.solutions) {
@@ -77,16 +78,16 @@ ClosedFormFile closed_form_of_run(const results::Run& run, const std::string& fi
   }
   const std::string of_case = fmt::format("{}, {}", file_name, base::sanitise(case_result.name()));
   const auto& solution = *case_result.find(
-      with_form[select_requested_index(with_form, choice.solution, "solution", of_case)]);
+      with_form[index_of_requested_name(with_form, choice.solution, "solution", of_case)]);
   return {to_closed_form(solution.metrics, fmt::format("{}: {}", file_name, solution.id())),
           case_result.problem, solution};
 }
 
 }  // namespace
 
-std::size_t select_requested_index(const std::vector<std::string>& names,
-                                   const std::optional<std::string>& requested,
-                                   const std::string& item_kind, const std::string& file_name) {
+std::size_t index_of_requested_name(const std::vector<std::string>& names,
+                                    const std::optional<std::string>& requested,
+                                    const std::string& item_kind, const std::string& file_name) {
   if (names.empty()) {
     throw InputError(
         fmt::format("{} contains no {} with a density of this kind", file_name, item_kind));

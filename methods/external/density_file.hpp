@@ -37,7 +37,7 @@ struct SolutionSelection {
 
 /// The contents of a JSON file with the closed form of a density.
 struct ClosedFormFile {
-  epc::ClosedForm form;
+  epc::ClosedFormDensity form;
   std::optional<problem::Problem> problem = {};  ///< problem of the saved run, if any
   /// Solution with the closed form in a saved run; has no density.
   std::optional<transform::Solution> solution = {};
@@ -57,8 +57,8 @@ ClosedFormFile read_closed_form_file(const std::string& text, const std::string&
 /// @param file_name name of the file, for messages
 /// @throws InputError with a message of one line, if `names` lacks the requested name, or if no
 /// name is requested and `names` has several elements
-std::size_t select_requested_index(const std::vector<std::string>& names,
-                                   const std::optional<std::string>& requested,
-                                   const std::string& item_kind, const std::string& file_name);
+std::size_t index_of_requested_name(const std::vector<std::string>& names,
+                                    const std::optional<std::string>& requested,
+                                    const std::string& item_kind, const std::string& file_name);
 
 }  // namespace fpkcheck::methods

@@ -131,8 +131,8 @@ double DensityIntegrals::sum_over_right_impacts(const std::function<double(doubl
 
 transform::GridDensity DensityIntegrals::cell_averages() const {
   transform::GridDensity grid{points_.y_edges(), points_.v_edges(), {}};
-  for (std::size_t i = 0; i < grid.ny(); ++i) {
-    for (std::size_t j = 0; j < grid.nv(); ++j) {
+  for (std::size_t i = 0; i < grid.y_cell_count(); ++i) {
+    for (std::size_t j = 0; j < grid.v_cell_count(); ++j) {
       double sum = 0;
       for (std::size_t a = 0; a < kPointsPerCell; ++a) {
         for (std::size_t b = 0; b < kPointsPerCell; ++b) {

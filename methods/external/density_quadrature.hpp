@@ -67,9 +67,9 @@ class DensityIntegrals {
   }
   /// Returns the moments of the density divided by `mass`.
   transform::Moments moments(double mass) const;
-  /// Returns int_{v<0} |v| weight(|v|) p(a, v) dv over impact velocities at the left wall y = a, the
-  /// sum of weight(u) over impacts at speed u per unit time. The result is 0 if the cells do not
-  /// begin at the wall.
+  /// Returns int_{v<0} |v| weight(|v|) p(a, v) dv over impact velocities at the left wall y = a,
+  /// the sum of weight(u) over impacts at speed u per unit time. The result is 0 if the cells do
+  /// not begin at the wall.
   double sum_over_left_impacts(const std::function<double(double)>& weight) const;
   /// Returns int_{v>0} v weight(v) p(b, v) dv over impact velocities at the right wall y = b, the
   /// sum of weight(u) over impacts at speed u per unit time. The result is 0 if the cells do not

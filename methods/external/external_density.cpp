@@ -21,18 +21,19 @@ using transform::Status;
 
 // The tolerances of negative values and of cut-off are relative to the peak of the density. The
 // tolerance of the mass is relative to a mass of 1.
-constexpr double kNegativeTolerance = 1e-6, kCutOffTolerance = 1e-4, kMassTolerance = 1e-3;
+constexpr double kNegativeTolerance = 1e-6, kCutOffTolerance = 1e-4, kClosureMassTolerance = 1e-3;
 
 // Returns the largest average over the outermost cells, except cells at a wall.
 double largest_boundary_average(const transform::GridDensity& grid,
                                 const DensityQuadratureGrid& points) {
   double most = 0;
-  for (std::size_t i = 0; i < grid.ny(); ++i) {
-    most = std::max({most, grid.cell_average(i, 0), grid.cell_average(i, grid.nv() - 1)});
+  for (std::size_t i = 0; i < grid.y_cell_count(); ++i) {
+    most = std::max({most, grid.cell_average(i, 0), grid.cell_average(i, grid.v_cell_count() - 1)});
   }
-  for (std::size_t j = 0; j < grid.nv(); ++j) {
+  for (std::size_t j = 0; j < grid.v_cell_count(); ++j) {
     if (!points.has_wall_at_start()) most = std::max(most, grid.cell_average(0, j));
-    if (!points.has_wall_at_end()) most = std::max(most, grid.cell_average(grid.ny() - 1, j));
+    if (!points.has_wall_at_end())
+      most = std::max(most, grid.cell_average(grid.y_cell_count() - 1, j));
   }
   return most;
 }
@@ -58,7 +59,7 @@ std::string inadmissible_reason(const transform::GridDensity& grid,
     return fmt::format("the density is cut off at {:.1e} of its peak (limit {:.0e}), {}",
                        end / peak, kCutOffTolerance, cut_off_text(grid, points));
   }
-  if (std::abs(mass - 1) > kMassTolerance)
+  if (std::abs(mass - 1) > kClosureMassTolerance)
     return fmt::format("the integral is {:.6g}, not 1", mass);
   return {};
 }
@@ -99,12 +100,12 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
       .mean_cubed_velocity = mean([](double, double v) { return v * v * v; }),
       .mean_absolute_force = mean([&](double x, double) { return std::abs(system.force(x, 0)); })};
   transform::BalanceResiduals residuals{
-      .virial = problem::virial_balance(transformed, virial).residual()};
+      .virial = problem::virial_balance(transformed, virial).relative_residual()};
   // For impulses with mean zero and a system without a wall, both sides of the momentum balance are
   // 0.
   const bool has_mean_impulse = problem.impulses.rate_times_moment(1) != 0;
   if (problem.system.left_wall() || problem.system.right_wall() || has_mean_impulse) {
-    residuals.momentum = problem::momentum_balance(transformed, momentum).residual();
+    residuals.momentum = problem::momentum_balance(transformed, momentum).relative_residual();
   }
   return residuals;
 }
@@ -133,9 +134,9 @@ transform::SolutionIdentity make_external_density_identity(const ExternalDensity
   return identity;
 }
 
-void add_rest_atom_note(const problem::Problem& problem, transform::MetricBuilder& builder) {
+void add_rest_atom_note(const problem::Problem& problem, transform::SolverMetricsBuilder& builder) {
   if (!problem::problem_features(problem).rests_in_contact) return;
-  builder.add_text(
+  builder.add_text_metric(
       "notes[0]",
       "the mass at rest in contact with a wall is not part of the density and counts as missing");
 }
@@ -164,7 +165,7 @@ double validated_density_integral(const ExternalDensity& external,
 }
 
 Solution make_external_density_solution(const problem::Problem& problem,
-                                        const SolveContext& context,
+                                        const SolverInputContext& context,
                                         const ExternalDensity& external,
                                         const JointDensityOptions& options,
                                         const DensityQuadratureGrid& points,
@@ -189,7 +190,7 @@ Solution make_external_density_solution(const problem::Problem& problem,
   const double left_loss = integrals.sum_over_left_impacts(loss(system.left_wall()));
   const double right_loss = integrals.sum_over_right_impacts(loss(system.right_wall()));
   const double square_noise_factor = integrals.integrate_times_density([&](double y, double v) {
-    return problem.noise_factor ? problem.noise_factor->squared(y, v) : 1;
+    return problem.noise_factor ? problem.noise_factor->squared_factor(y, v) : 1;
   });
   const double square_impulse_factor = integrals.integrate_times_density(
       [&](double y, double) { return problem::squared_impulse_factor(problem, y); });
@@ -207,8 +208,8 @@ Solution make_external_density_solution(const problem::Problem& problem,
   solution.status = solution.reason.empty() ? Status::ok : Status::inadmissible;
   solution.density = std::move(grid);
 
-  transform::MetricBuilder builder;
-  if (options.normalise) builder.add_result("normalised_by", mass);
+  transform::SolverMetricsBuilder builder;
+  if (options.normalise) builder.add_result_metric("normalised_by", mass);
   add_balance_metrics(builder, balance_residuals(problem, integrals, solution.mass));
   add_rest_atom_note(problem, builder);
   solution.metrics = builder.take_metrics();
@@ -227,7 +228,7 @@ Method make_method_from_density_values(const ExternalDensity& external,
   return {.identity = make_external_density_identity(external, transform::kExternalFunction,
                                                      "given as a function"),
           .solve = [external, options, points, mass, values = std::move(values)](
-                       const problem::Problem& problem, const SolveContext& context) {
+                       const problem::Problem& problem, const SolverInputContext& context) {
             return make_external_density_solution(problem, context, external, options, points,
                                                   values, mass);
           }};

@@ -9,8 +9,8 @@
 #include "methods/method.hpp"
 
 /// Methods that return an external density, from a file or from Python, instead of solving an
-/// equation. An external density with a stated equation has the role of a closure. Such a density
-/// has an error budget and is never the reference.
+/// equation. An external density with a stated equation has the role of a closure. An external
+/// density with a stated equation has an error budget and is never the reference.
 namespace fpkcheck::methods {
 
 struct ExternalDensity {
@@ -33,8 +33,8 @@ transform::SolutionIdentity make_external_density_identity(const ExternalDensity
 struct JointDensityOptions {
   /// Whether to divide the density by its integral, which becomes the metric "normalised_by".
   bool normalise = true;
-  /// Largest residual-based L1 error estimate of p(y) and p(y') for the status `ok`. This limit has
-  /// no effect on a density whose equation is unknown.
+  /// Largest residual-based L1 error estimate of p(y) and p(y') for the status `ok`. The limit
+  /// `accuracy` has no effect on a density whose equation is unknown.
   double accuracy = 0.02;
   /// Reason for the status `inadmissible`; empty if no such reason is known yet.
   std::string inadmissible_reason = {};
@@ -42,7 +42,8 @@ struct JointDensityOptions {
 
 /// Returns a method whose solution is an external joint density, stored as averages over cells. The
 /// status is `inadmissible` if values are negative or the density is cut off at an outermost edge.
-/// The status is also `inadmissible` if the integral differs from 1 and is not normalised.
+/// The status is also `inadmissible` if the integral of the density differs from 1 and
+/// normalisation is not requested.
 /// @param values values of the density, row-major, shape (points.y_points(), points.v_points())
 /// @throws InputError if a value is not finite, or the integral is not positive
 Method make_method_from_density_values(const ExternalDensity& external,
@@ -51,8 +52,9 @@ Method make_method_from_density_values(const ExternalDensity& external,
                                        std::vector<double> values);
 
 /// Adds the metric notes[0] if mass may be at rest in contact with a wall
-/// (problem::ProblemFeatures). The note states that an external density does not contain this mass.
-void add_rest_atom_note(const problem::Problem& problem, transform::MetricBuilder& builder);
+/// (problem::ProblemFeatures). The note states that an external density does not contain the mass
+/// at rest.
+void add_rest_atom_note(const problem::Problem& problem, transform::SolverMetricsBuilder& builder);
 
 /// Checks the values of an external joint density.
 /// @return the integral of the density
@@ -64,7 +66,7 @@ double validated_density_integral(const ExternalDensity& external,
 /// @param values values of the density, accepted by validated_density_integral()
 /// @param mass integral of the density, from validated_density_integral()
 transform::Solution make_external_density_solution(const problem::Problem& problem,
-                                                   const SolveContext& context,
+                                                   const SolverInputContext& context,
                                                    const ExternalDensity& external,
                                                    const JointDensityOptions& options,
                                                    const DensityQuadratureGrid& points,

@@ -22,8 +22,8 @@ namespace {
 ExternalJointDensity joint_from_points(JointTable table, const std::string& path) {
   const std::size_t nv = table.v.size();
   ExternalJointDensity joint{.path = path, .form = "joint points", .numbers = table.p.size()};
-  // Beyond the outermost points of the table the density is taken as 0. If values at these points
-  // exceed kSmall times the peak, a note states this.
+  // Beyond the outermost points of the table the density is taken as 0. If a density value at an
+  // outermost point of the table exceeds kSmall times the peak, a note states this cut-off.
   constexpr double kSmall = 1e-3;
   const double peak = std::ranges::max(table.p);
   double end = 0;
@@ -53,14 +53,14 @@ ExternalJointDensity joint_from_run(const ExternalArgument& argument, const std:
   }
   auto requested = argument.case_name;
   if (!requested && std::ranges::find(cases, default_case) != cases.end()) requested = default_case;
-  const std::string& of_case = cases[select_requested_index(cases, requested, "case", where)];
+  const std::string& of_case = cases[index_of_requested_name(cases, requested, "case", where)];
   std::vector<const transform::GridDensity*> densities;
   for (const auto& [case_name, joint] : file.joints) {
     if (case_name != of_case) continue;
     solutions.push_back(joint.solution);
     densities.push_back(&joint.density);
   }
-  const auto place = select_requested_index(solutions, argument.solution, "solution", where);
+  const auto place = index_of_requested_name(solutions, argument.solution, "solution", where);
   const auto& cells = *densities[place];
   ExternalJointDensity joint{
       .path = where, .form = "joint cells", .numbers = cells.averages.size()};
@@ -99,7 +99,7 @@ std::string first_difference(const problem::Problem& of_file, const problem::Pro
   return {};
 }
 
-JointTable to_joint_table(results::NetCdfGridVariable variable, const std::string& where) {
+JointTable to_joint_table(results::NetCdfJointDensityVariable variable, const std::string& where) {
   const std::vector<std::string> names{variable.first_name, variable.second_name, "p"};
   const auto of_v = velocity_column_index(names);
   if (of_v >= names.size()) {
@@ -134,7 +134,8 @@ ExternalJointDensity joint_density_from_netcdf(const ExternalArgument& argument,
     throw InputError(fmt::format("{} contains a single density; omit the key {}", where,
                                  argument.solution ? "solution" : "case"));
   }
-  auto table = to_joint_table(results::read_gridded_variable(std::move(bytes), where), where);
+  auto table =
+      to_joint_table(results::read_external_joint_density_variable(std::move(bytes), where), where);
   require_valid_joint_table(table, where);
   return joint_from_points(std::move(table), where);
 }
@@ -160,7 +161,7 @@ ExternalJointDensity joint_density_from_json(const ExternalArgument& argument,
     joint.impact = solution->identity.impact;
     joint.order = solution->identity.order;
     const bool has_usable_density =
-        solution->is_ok() || solution->status == transform::Status::inaccurate;
+        solution->has_status_ok() || solution->status == transform::Status::inaccurate;
     if (!has_usable_density) {
       joint.inadmissible_reason =
           fmt::format("the status in the file is {}: {}", name(solution->status), solution->reason);
@@ -186,7 +187,7 @@ Method make_method_from_joint_density(const ExternalDensity& external,
     return validated_density_integral(external, points, joint.values(problem, points));
   };
   const auto solve = [external, joint](const problem::Problem& problem,
-                                       const SolveContext& context) {
+                                       const SolverInputContext& context) {
     const DensityQuadratureGrid points(context.axes, problem.system.walls());
     auto values = joint.values(problem, points);
     const double mass = validated_density_integral(external, points, values);
@@ -202,13 +203,13 @@ Method make_method_from_joint_density(const ExternalDensity& external,
     const auto other = joint.problem ? first_difference(*joint.problem, problem) : std::string();
     if (!other.empty())
       notes.push_back(fmt::format("the density is of another problem: {}", other));
-    transform::MetricBuilder builder;
-    builder.add_text("files[0].file", joint.path)
-        .add_text("files[0].form", joint.form)
-        .add_diagnostic("files[0].numbers", transform::value_from_count(joint.numbers));
-    if (notes.empty()) builder.add_empty_list("files[0].notes", transform::MetricKind::text);
+    transform::SolverMetricsBuilder builder;
+    builder.add_text_metric("files[0].file", joint.path)
+        .add_text_metric("files[0].form", joint.form)
+        .add_diagnostic_metric("files[0].numbers", transform::value_from_count(joint.numbers));
+    if (notes.empty()) builder.add_empty_list("files[0].notes", transform::SolverMetricKind::text);
     for (std::size_t n = 0; n < notes.size(); ++n) {
-      builder.add_text(fmt::format("files[0].notes[{}]", n), notes[n]);
+      builder.add_text_metric(fmt::format("files[0].notes[{}]", n), notes[n]);
     }
     std::ranges::move(builder.take_metrics(), std::back_inserter(solution.metrics));
     return solution;

@@ -46,7 +46,7 @@ void require_rows(const NumberTable& table, const problem::Walls& walls) {
     if (k > 0 && x <= table.rows[k - 1][0]) {
       table.throw_row_error(
           k, fmt::format("{} after {} (must increase{})", x, table.rows[k - 1][0],
-                         table.columns() == 3 ? "; name a joint density y,v,p" : ""));
+                         table.column_count() == 3 ? "; name a joint density y,v,p" : ""));
     }
     require_range_between_walls(table, k, x, walls);
   }
@@ -112,11 +112,11 @@ void ExternalMarginal::read_histogram(const NumberTable& table) {
 
 void ExternalMarginal::read_points(const NumberTable& table) {
   require_not_negative(table, 1, "density");
-  knots_ = table.column(0);
-  auto values = table.column(1);
-  if (table.columns() == 3) {
+  knots_ = table.column_values(0);
+  auto values = table.column_values(1);
+  if (table.column_count() == 3) {
     require_not_negative(table, 2, "standard error");
-    errors_ = table.column(2);
+    errors_ = table.column_values(2);
   }
   extrapolation_ = select_extrapolation_walls(walls_, knots_);
   const std::size_t before_last = knots_.size() - 2;
@@ -204,7 +204,7 @@ transform::Marginal ExternalMarginal::average_over_bins(std::span<const double> 
   double below = cumulative(edges.front());
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
     const double upper = cumulative(edges[b + 1]);
-    result.density.push_back(std::max(scale_ * (upper - below) / result.width(b), 0.0));
+    result.density.push_back(std::max(scale_ * (upper - below) / result.bin_width(b), 0.0));
     below = upper;
   }
   if (!has_standard_errors()) return result;

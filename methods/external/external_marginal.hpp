@@ -31,8 +31,8 @@ struct MarginalFileSummary {
 /// histogram (is_histogram), or abscissae, densities and standard errors. Akima's modified
 /// interpolation gives the density between points. Within the bins of a histogram, the density is
 /// the derivative of a monotone cubic interpolant of the cumulative distribution. A density of y is
-/// extrapolated linearly to a wall near the first or last point (WallExtrapolation). Elsewhere
-/// outside the range of the file the density is 0.
+/// extrapolated linearly to a wall near the first or last point (WallExtrapolation). At all other
+/// points outside the range of the file the density is 0.
 class ExternalMarginal {
  public:
   /// @throws InputError with a message "SOURCE:LINE: problem (admissible values)"

@@ -42,28 +42,28 @@ std::optional<std::string> outside_mass_note(const ExternalMarginal& marginal, d
 
 // Adds the properties of a file and of its normalisation as metrics under "files[k]".
 void add_metrics(const ExternalMarginal& marginal, const std::vector<double>& bins, double mass,
-                 double min_density, std::size_t k, transform::MetricBuilder& builder) {
+                 double min_density, std::size_t k, transform::SolverMetricsBuilder& builder) {
   const std::string path = fmt::format("files[{}].", k);
   const MarginalFileSummary& file = marginal.file();
   const double beyond = marginal.mass_fraction_outside(bins.front(), bins.back());
-  builder.add_text(path + "file", file.path)
-      .add_text(path + "variable", std::string(name(marginal.variable())))
-      .add_text(path + "form", file.form)
-      .add_diagnostic(path + "rows", transform::value_from_count(file.rows));
-  if (!file.values.empty()) builder.add_text(path + "values", file.values);
-  builder.add_result(path + "from", file.from)
-      .add_result(path + "to", file.to)
-      .add_result(path + "integral", file.integral);
-  if (file.divided_by) builder.add_result(path + "normalised_by", *file.divided_by);
+  builder.add_text_metric(path + "file", file.path)
+      .add_text_metric(path + "variable", std::string(name(marginal.variable())))
+      .add_text_metric(path + "form", file.form)
+      .add_diagnostic_metric(path + "rows", transform::value_from_count(file.rows));
+  if (!file.values.empty()) builder.add_text_metric(path + "values", file.values);
+  builder.add_result_metric(path + "from", file.from)
+      .add_result_metric(path + "to", file.to)
+      .add_result_metric(path + "integral", file.integral);
+  if (file.divided_by) builder.add_result_metric(path + "normalised_by", *file.divided_by);
   auto notes = file.notes;
   if (const auto note = outside_mass_note(marginal, beyond, bins)) notes.push_back(*note);
-  if (notes.empty()) builder.add_empty_list(path + "notes", transform::MetricKind::text);
+  if (notes.empty()) builder.add_empty_list(path + "notes", transform::SolverMetricKind::text);
   for (std::size_t n = 0; n < notes.size(); ++n) {
-    builder.add_text(fmt::format("{}notes[{}]", path, n), notes[n]);
+    builder.add_text_metric(fmt::format("{}notes[{}]", path, n), notes[n]);
   }
-  builder.add_result(path + "mass", mass)
-      .add_result(path + "min_density", min_density)
-      .add_result(path + "beyond_axes", beyond);
+  builder.add_result_metric(path + "mass", mass)
+      .add_result_metric(path + "min_density", min_density)
+      .add_result_metric(path + "beyond_axes", beyond);
 }
 
 void add_sampling_error(const ExternalMarginal& marginal, const std::vector<double>& bins,
@@ -92,7 +92,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);
   // The substitution of x(y) converts a polynomial of x to a polynomial of y.
   const auto in_y = [&](const numerics::Polynomial& of_x) {
-    return of_x.compose_affine(frame.inverse().origin, frame.sign());
+    return of_x.compose_affine(frame.inverse_frame().origin, frame.velocity_sign());
   };
   const auto virial = in_y(transformed.system.restoring_force().multiplied_by_argument());
   double mean_virial = virial.coefficient(0) * y->moment(0);
@@ -104,7 +104,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
               problem::virial_balance(transformed, {.mean_displacement = frame.wall_x(y->moment(1)),
                                                     .mean_square_velocity = ydot->moment(2),
                                                     .mean_virial = mean_virial})
-                  .residual()};
+                  .relative_residual()};
 }
 
 transform::Solution marginals_solution(const problem::Problem& problem,
@@ -116,7 +116,7 @@ transform::Solution marginals_solution(const problem::Problem& problem,
   auto& m = solution.moments;
   m = {unknown_value(), unknown_value(), unknown_value(),
        unknown_value(), unknown_value(), unknown_value()};
-  transform::MetricBuilder builder;
+  transform::SolverMetricsBuilder builder;
   for (std::size_t k = 0; k < marginals.size(); ++k) {
     const auto& marginal = marginals[k];
     const bool of_y = marginal.variable() == StateVariable::y;
@@ -162,8 +162,8 @@ struct LabelledFiles {
   std::optional<ExternalJointDensity> joint;
 };
 
-// Sets the equation, impact condition and order of a density from the argument. Values that the
-// argument lacks are taken from the file.
+// Sets the equation, impact condition and order of a density from the argument. A setting that the
+// argument of --against lacks is taken from the density file.
 void set_identity(const ExternalArgument& argument, const ExternalJointDensity* joint,
                   ExternalDensity& external) {
   const auto differ = [&](const char* what) {
@@ -240,7 +240,7 @@ Method make_marginals_method(const ExternalDensity& external,
   return {
       .identity = make_external_density_identity(external, transform::kExternalFile, "from a file"),
       .solve =
-          [files](const problem::Problem& problem, const SolveContext& context) {
+          [files](const problem::Problem& problem, const SolverInputContext& context) {
             return marginals_solution(problem, read_marginals(problem, files), context.axes);
           },
       .check = [files](const problem::Problem& problem) { read_marginals(problem, files); }};
@@ -248,9 +248,9 @@ Method make_marginals_method(const ExternalDensity& external,
 
 }  // namespace
 
-std::vector<Method> read_external_methods(std::span<const std::string> arguments,
-                                          const SolverRegistry& registry,
-                                          const std::string& case_name) {
+std::vector<Method> external_density_methods_from_files(std::span<const std::string> arguments,
+                                                        const SolverRegistry& registry,
+                                                        const std::string& case_name) {
   std::vector<LabelledFiles> solutions;
   for (const auto& text : arguments) {
     auto argument = parse_external_argument(text);

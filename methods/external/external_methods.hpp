@@ -10,8 +10,8 @@ namespace fpkcheck::methods {
 
 /// Reads external densities from files and returns methods whose solutions are these densities.
 /// Each file contains a marginal density (ExternalMarginal), a joint density on a grid (JointTable)
-/// or a joint density as a closed form (epc::ClosedForm). Two marginal densities with the same
-/// label form one solution. Densities of several closure orders form a family
+/// or a joint density as a closed form (epc::ClosedFormDensity). Two marginal densities with the
+/// same label form one solution. Densities of several closure orders form a family
 /// (methods/external/external_labels.hpp). The solver of all these methods has the name "file". A
 /// density has the role of a closure if the argument or the file states a density equation. Without
 /// a stated equation, the equation and the impact condition are unknown.
@@ -20,8 +20,8 @@ namespace fpkcheck::methods {
 /// @return one method for each label, in the order of first occurrence of the labels
 /// @throws InputError with a message of one line, for an invalid argument, file or label, and for
 ///         two files with the same label and variable
-std::vector<Method> read_external_methods(std::span<const std::string> arguments,
-                                          const SolverRegistry& registry,
-                                          const std::string& case_name = {});
+std::vector<Method> external_density_methods_from_files(std::span<const std::string> arguments,
+                                                        const SolverRegistry& registry,
+                                                        const std::string& case_name = {});
 
 }  // namespace fpkcheck::methods

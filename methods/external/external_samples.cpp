@@ -24,7 +24,7 @@ using transform::Status;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 // Samples of (y, y') with the effective number of independent samples.
-struct Samples {
+struct StateSamples {
   std::vector<double> y, v;
   double independent;
 
@@ -36,10 +36,10 @@ std::optional<std::size_t> bin_index(const std::vector<double>& edges, double va
   return static_cast<std::size_t>(std::ranges::upper_bound(edges, value) - edges.begin()) - 1;
 }
 
-Samples without_samples_at_rest(const Samples& samples, const problem::Problem& problem) {
+StateSamples without_samples_at_rest(const StateSamples& samples, const problem::Problem& problem) {
   if (!problem::problem_features(problem).rests_in_contact) return samples;
   const problem::Walls walls = problem.system.walls();
-  Samples left{{}, {}, samples.independent};
+  StateSamples left{{}, {}, samples.independent};
   for (std::size_t k = 0; k < samples.size(); ++k) {
     const double y = samples.y[k];
     if (samples.v[k] == 0 && (is_at_wall(walls.left, y) || is_at_wall(walls.right, y))) continue;
@@ -74,7 +74,7 @@ void add_marginal(const std::vector<double>& edges, const std::vector<double>& v
   solution.estimated_marginals.emplace_back(variable, std::move(marginal));
 }
 
-void set_moments(const Samples& samples, Solution& solution) {
+void set_moments(const StateSamples& samples, Solution& solution) {
   constexpr int kPowers[] = {1, 2, 4, 1, 2, 4};  // three powers of y, then three powers of y'
   static_assert(std::size(kPowers) == std::size(transform::kMoments));
   const double n = static_cast<double>(samples.size());
@@ -90,23 +90,24 @@ void set_moments(const Samples& samples, Solution& solution) {
   }
 }
 
-Solution samples_solution(const Samples& samples, const problem::Problem& problem,
+Solution samples_solution(const StateSamples& samples, const problem::Problem& problem,
                           const compare::ComparisonAxes& axes) {
   Solution solution;
   solution.status = Status::ok;
   solution.energy_residual = kUnknown;
   solution.standard_errors.emplace().energy_residual = kUnknown;
   transform::GridDensity grid{axes.y_edges, axes.v_edges, {}};
-  grid.averages.assign(grid.ny() * grid.nv(), 0.0);
+  grid.averages.assign(grid.y_cell_count() * grid.v_cell_count(), 0.0);
   const double n = static_cast<double>(samples.size()), each = 1 / n;
-  const Samples value_from_count = without_samples_at_rest(samples, problem);
+  const StateSamples value_from_count = without_samples_at_rest(samples, problem);
   for (std::size_t k = 0; k < value_from_count.size(); ++k) {
     const auto i = bin_index(grid.y_edges, value_from_count.y[k]),
                j = bin_index(grid.v_edges, value_from_count.v[k]);
     if (!i || !j) continue;
     solution.mass += each;
-    grid.averages[*i * grid.nv() + *j] += each / ((grid.y_edges[*i + 1] - grid.y_edges[*i]) *
-                                                  (grid.v_edges[*j + 1] - grid.v_edges[*j]));
+    grid.averages[*i * grid.v_cell_count() + *j] +=
+        each /
+        ((grid.y_edges[*i + 1] - grid.y_edges[*i]) * (grid.v_edges[*j + 1] - grid.v_edges[*j]));
   }
   solution.density = std::move(grid);
   add_marginal(axes.y_edges, value_from_count.y, n, samples.independent, StateVariable::y,
@@ -114,9 +115,9 @@ Solution samples_solution(const Samples& samples, const problem::Problem& proble
   add_marginal(axes.v_edges, value_from_count.v, n, samples.independent, StateVariable::ydot,
                solution);
   set_moments(samples, solution);
-  transform::MetricBuilder builder;
-  builder.add_diagnostic("samples", transform::value_from_count(samples.size()))
-      .add_diagnostic("independent", samples.independent);
+  transform::SolverMetricsBuilder builder;
+  builder.add_diagnostic_metric("samples", transform::value_from_count(samples.size()))
+      .add_diagnostic_metric("independent", samples.independent);
   add_rest_atom_note(problem, builder);
   solution.metrics = builder.take_metrics();
   return solution;
@@ -144,12 +145,12 @@ Method make_method_from_samples(const ExternalDensity& external, std::span<const
     refuse(fmt::format("independent = {:g} (must be 0 .. {}, the number of samples)", independent,
                        y.size()));
   }
-  auto samples = std::make_shared<const Samples>(
-      Samples{{y.begin(), y.end()}, {v.begin(), v.end()}, independent > 0 ? independent : all});
+  auto samples = std::make_shared<const StateSamples>(StateSamples{
+      {y.begin(), y.end()}, {v.begin(), v.end()}, independent > 0 ? independent : all});
   return {.identity = make_external_density_identity(external, transform::kExternalFunction,
                                                      "given as samples"),
           .solve =
-              [samples](const problem::Problem& problem, const SolveContext& context) {
+              [samples](const problem::Problem& problem, const SolverInputContext& context) {
                 return samples_solution(*samples, problem, context.axes);
               },
           .check =

@@ -19,7 +19,7 @@ namespace fpkcheck::methods {
 namespace {
 
 std::vector<double> distinct_values(const NumberTable& table, std::size_t column) {
-  auto all = table.column(column);
+  auto all = table.column_values(column);
   std::ranges::sort(all);
   all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
@@ -63,7 +63,8 @@ class AkimaInterpolant {
 }  // namespace
 
 bool is_joint_density(const NumberTable& table) {
-  return table.columns() == 3 && table.names.size() == 3 && velocity_column_index(table.names) < 2;
+  return table.column_count() == 3 && table.names.size() == 3 &&
+         velocity_column_index(table.names) < 2;
 }
 
 JointTable make_joint_table(const NumberTable& table) {
@@ -94,8 +95,8 @@ JointTable make_joint_table(const NumberTable& table) {
     row_of[at] = k + 1;
     joint.p[at] = row[2];
   }
-  // No grid point is missing here, since the table has at least as many rows as points and no point
-  // occurs twice.
+  // No grid point is missing in a table that has at least as many rows as grid points and in which
+  // no grid point occurs twice.
   require_valid_joint_table(joint, source);
   return joint;
 }
@@ -124,7 +125,8 @@ std::vector<double> evaluate_at_quadrature_points(const JointTable& table,
                                                   const DensityQuadratureGrid& points) {
   const std::size_t ny = table.y.size(), nv = table.v.size();
   const double least = std::min(std::ranges::min(table.p), 0.0);
-  // Density at the y of the table and the v of the quadrature points.
+  // Values of the density at the displacements of the table and the velocities of the quadrature
+  // points.
   std::vector<std::vector<double>> columns(points.v_points().size());
   for (std::size_t i = 0; i < ny; ++i) {
     const auto row = table.p.begin() + static_cast<std::ptrdiff_t>(i * nv);
@@ -158,11 +160,11 @@ std::vector<double> evaluate_at_quadrature_points(const transform::GridDensity& 
   const double least = std::min(std::ranges::min(cells.averages), 0.0);
   const auto parts = transform::average_over_cells(cells, subcell_edges(points.y_edges()),
                                                    subcell_edges(points.v_edges()));
-  const std::size_t nv = parts.nv();
+  const std::size_t nv = parts.v_cell_count();
   std::vector<double> values;
-  values.reserve((parts.ny() + 2) * nv);
-  // Points at a wall belong to no subcell. Their values are extrapolated linearly from the next two
-  // subcells.
+  values.reserve((parts.y_cell_count() + 2) * nv);
+  // Quadrature points at a wall belong to no subcell. The values at quadrature points at a wall are
+  // extrapolated linearly from the next two subcells.
   const auto centre = [&](std::size_t i) { return (parts.y_edges[i] + parts.y_edges[i + 1]) / 2; };
   const auto add_wall = [&](double wall, std::size_t next, std::size_t after) {
     const double share = (centre(next) - wall) / (centre(after) - centre(next));
@@ -173,7 +175,8 @@ std::vector<double> evaluate_at_quadrature_points(const transform::GridDensity& 
   };
   if (points.has_wall_at_start()) add_wall(parts.y_edges.front(), 0, 1);
   for (const double average : parts.averages) values.push_back(std::max(average, least));
-  if (points.has_wall_at_end()) add_wall(parts.y_edges.back(), parts.ny() - 1, parts.ny() - 2);
+  if (points.has_wall_at_end())
+    add_wall(parts.y_edges.back(), parts.y_cell_count() - 1, parts.y_cell_count() - 2);
   return values;
 }
 

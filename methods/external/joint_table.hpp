@@ -35,7 +35,7 @@ void require_range_between_walls(const problem::Walls& walls, double from, doubl
 /// Interpolates a joint density at quadrature points by Akima's modified interpolant, along y' and
 /// then along y. Interpolated values are clipped from below at the smaller of 0 and the minimum of
 /// the table. The density is extrapolated linearly to a wall near the first or last y
-/// (WallExtrapolation). Elsewhere outside the table the density is 0.
+/// (WallExtrapolation). At all other points outside the table the density is 0.
 /// @return values at the points, row-major, shape (points.y_points(), points.v_points())
 std::vector<double> evaluate_at_quadrature_points(const JointTable& table,
                                                   const DensityQuadratureGrid& points);

@@ -84,7 +84,7 @@ std::vector<std::string> to_lower_case(std::vector<std::string> names) {
 
 }  // namespace
 
-std::vector<double> NumberTable::column(std::size_t c) const {
+std::vector<double> NumberTable::column_values(std::size_t c) const {
   std::vector<double> values;
   for (const auto& row : rows) values.push_back(row[c]);
   return values;
@@ -140,7 +140,7 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
                                   name_of_separator(separator),
                                   name_of_separator(first_separator)));
     }
-    const std::size_t columns = table.rows.empty() ? row.size() : table.columns();
+    const std::size_t columns = table.rows.empty() ? row.size() : table.column_count();
     if (columns < 2 || columns > 3) {
       throw_row_error(
           fmt::format("{} column{} (must be two or three)", columns, columns == 1 ? "" : "s"));
@@ -163,11 +163,11 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
     throw InputError(
         fmt::format("{}: no numbers (must be two or three columns)", base::sanitise(source)));
   }
-  if (table.names.empty() && comment.size() == table.columns())
+  if (table.names.empty() && comment.size() == table.column_count())
     table.names = to_lower_case(comment);
-  if (!table.names.empty() && table.names.size() != table.columns()) {
+  if (!table.names.empty() && table.names.size() != table.column_count()) {
     table.throw_row_error(0, fmt::format("{} columns under {} names (must be equal)",
-                                         table.columns(), table.names.size()));
+                                         table.column_count(), table.names.size()));
   }
   return table;
 }

@@ -11,16 +11,16 @@
 namespace fpkcheck::methods {
 
 /// Columns of numbers from an external text file. The fields of a line are separated by semicolons,
-/// tabs, commas or blanks. Lines that begin with # are comments. The first line, or the last comment
-/// before the numbers, may have column names.
+/// tabs, commas or blanks. Lines that begin with # are comments. The first line, or the last
+/// comment before the numbers, may have column names.
 struct NumberTable {
   std::string source;              ///< name of the file, for messages
   std::vector<std::string> names;  ///< column names in lower case without units; may be empty
   std::vector<std::vector<double>> rows;  ///< rows of finite numbers; all rows have the same length
   std::vector<int> lines;                 ///< line number of each row, from 1
 
-  std::size_t columns() const { return rows.front().size(); }
-  std::vector<double> column(std::size_t c) const;
+  std::size_t column_count() const { return rows.front().size(); }
+  std::vector<double> column_values(std::size_t c) const;
   /// @throws InputError with the message "SOURCE:LINE: problem"
   [[noreturn]] void throw_row_error(std::size_t row, const std::string& problem) const;
 };
@@ -59,7 +59,8 @@ bool are_bins_adjacent(const std::vector<double>& bin, const std::vector<double>
 
 /// Returns the quantity of a histogram by the name of the third column. If the name is unknown, the
 /// values determine the quantity: densities have the integral 1, probabilities have the sum 1, and
-/// counts are integers. All other values are densities.
+/// counts are integers. Values in the third column that are neither probabilities nor counts are
+/// densities.
 HistogramQuantity detect_histogram_quantity(const NumberTable& histogram);
 
 }  // namespace fpkcheck::methods

@@ -9,7 +9,7 @@ namespace fpkcheck::numerics {
 struct Enclosure {
   double lower = 0, upper = 0;
 
-  double middle() const { return lower + (upper - lower) / 2; }
+  double midpoint() const { return lower + (upper - lower) / 2; }
   double half_width() const { return (upper - lower) / 2; }
   bool contains(double x) const { return lower <= x && x <= upper; }
   Enclosure intersection(const Enclosure& other) const {

@@ -52,7 +52,7 @@ Interval exponential(const Interval& x) {
 
 double binomial_coefficient(int n, int j) {
   double c = 1;
-  // The variable c is a binomial coefficient, and thus an integer, after each step.
+  // The variable c is a binomial coefficient, and thus an integer, after each step of the loop.
   for (int i = 1; i <= j; ++i) c = c * (n - j + i) / i;
   return c;
 }

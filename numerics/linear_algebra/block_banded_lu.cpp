@@ -72,7 +72,8 @@ void BlockBandedLu::factorise() {
     for (int j = 1; j <= columns; ++j) {
       const auto right = upper_[c].middleCols((j - 1) * n_, n_);
       // The loop updates the blocks above the diagonal block c + j. The two statements after the
-      // loop update the diagonal block and the blocks below the diagonal block.
+      // loop over the blocks above the diagonal update the diagonal block and the blocks below the
+      // diagonal block.
       for (int i = 1; i < std::min(j, rows + 1); ++i) {
         subtract_block_product(upper_[c + i].middleCols((j - i - 1) * n_, n_),
                                lower_[c].middleRows((i - 1) * n_, n_), right);

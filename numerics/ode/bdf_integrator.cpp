@@ -51,7 +51,7 @@ void store_bdf_error_message(const char* function, const char* text, void* data)
 }  // namespace
 
 struct BdfIntegrator::Handles {
-  QuietContext context;
+  SilentSundialsContext context;
   BdfCallbackData callbacks;
   OwnedHandle<N_Vector> state;
   OwnedHandle<SUNMatrix> matrix;
@@ -103,7 +103,7 @@ bool BdfIntegrator::advance_to_time(double time) {
   return flag >= 0 && current >= time;
 }
 
-Eigen::VectorXd BdfIntegrator::state() const { return vector_view(handles_->state.get()); }
+Eigen::VectorXd BdfIntegrator::current_state() const { return vector_view(handles_->state.get()); }
 
 const std::string& BdfIntegrator::error_message() const { return handles_->callbacks.message; }
 

@@ -41,7 +41,7 @@ class BdfIntegrator {
   /// @throws every exception of the system
   bool advance_to_time(double time);
 
-  Eigen::VectorXd state() const;
+  Eigen::VectorXd current_state() const;
   const std::string& error_message() const;
   long step_count() const;
 

@@ -23,8 +23,8 @@ inline constexpr int kSuccess = 0;
 
 /// SUNDIALS context that prints nothing; SUNDIALS 7 prints errors and warnings to standard error by
 /// default.
-struct QuietContext : sundials::Context {
-  QuietContext() {
+struct SilentSundialsContext : sundials::Context {
+  SilentSundialsContext() {
 #if SUNDIALS_VERSION_MAJOR >= 7
     SUNContext_ClearErrHandlers(*this);
     SUNLogger logger = nullptr;
@@ -64,14 +64,14 @@ class CallbackExceptionStore {
   std::exception_ptr thrown_;
 };
 
-struct HandleDeleter {
+struct SundialsHandleDeleter {
   void operator()(N_Vector v) const { N_VDestroy(v); }
   void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
   void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
   void operator()(void* cvode) const { CVodeFree(&cvode); }
 };
 template <class Handle>
-using OwnedHandle = std::unique_ptr<std::remove_pointer_t<Handle>, HandleDeleter>;
+using OwnedHandle = std::unique_ptr<std::remove_pointer_t<Handle>, SundialsHandleDeleter>;
 
 /// @throws std::runtime_error when `handle` is null
 template <class Handle>
@@ -88,8 +88,8 @@ inline void require_success(int flag, const char* function_name) {
 
 /// Makes `cvode` report errors to `handler(function, text, data)`, which must not throw.
 template <void (*handler)(const char* function, const char* text, void* data)>
-void set_error_handler([[maybe_unused]] void* cvode, [[maybe_unused]] QuietContext& context,
-                       void* data) {
+void set_error_handler([[maybe_unused]] void* cvode,
+                       [[maybe_unused]] SilentSundialsContext& context, void* data) {
 #if SUNDIALS_VERSION_MAJOR >= 7
   const SUNErrHandlerFn forward = [](int, const char* function, const char*, const char* text,
                                      SUNErrCode, void* handed,
@@ -110,7 +110,7 @@ inline Eigen::Map<Eigen::VectorXd> vector_view(N_Vector v) {
 /// the inner products. Inner products take a tenth of the time of a solution; Eigen uses SIMD, but
 /// N_VDotProd_Serial does not.
 inline OwnedHandle<N_Vector> make_sundials_vector(const Eigen::VectorXd& values,
-                                                  QuietContext& context) {
+                                                  SilentSundialsContext& context) {
   auto v = make_owned_handle(N_VNew_Serial(static_cast<sunindextype>(values.size()), context),
                              "a vector");
   v->ops->nvdotprod = [](N_Vector a, N_Vector b) noexcept {

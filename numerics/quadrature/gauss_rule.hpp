@@ -45,7 +45,9 @@ struct QuadratureRule {
   Eigen::Index size() const { return weights.size(); }
   /// Returns a view of the quadrature points as an Eigen vector, valid during the lifetime of the
   /// rule.
-  Eigen::Map<const Eigen::VectorXd> point_vector() const { return {points.data(), size()}; }
+  Eigen::Map<const Eigen::VectorXd> quadrature_points_as_vector() const {
+    return {points.data(), size()};
+  }
 };
 
 /// Returns the composite Gauss-Legendre rule with N points on each panel, for panels of different

@@ -17,38 +17,41 @@ using Eigen::VectorXd;
 constexpr int kMaxCorrections = 6;
 constexpr int kFoldBisections = 40;
 
-class CurveTracer {
+class SolutionCurveTracer {
  public:
-  CurveTracer(const Homotopy& homotopy, const ContinuationOptions& options)
+  SolutionCurveTracer(const Homotopy& homotopy, const ContinuationOptions& options)
       : homotopy_(homotopy), options_(options) {}
 
   SolutionCurve trace_from(const VectorXd& start);
 
  private:
-  MatrixXd bordered_jacobian(const CurvePoint& point, const VectorXd& last_row) const;
-  VectorXd unit_tangent(const CurvePoint& point, const VectorXd& previous_tangent) const;
+  MatrixXd bordered_jacobian(const SolutionCurvePoint& point, const VectorXd& last_row) const;
+  VectorXd unit_tangent(const SolutionCurvePoint& point, const VectorXd& previous_tangent) const;
   bool is_converged(const VectorXd& residual, double correction) const;
-  std::optional<CurvePoint> correct_prediction(const CurvePoint& predicted, const VectorXd& tangent,
-                                               double step);
-  std::optional<CurvePoint> correct_at_fixed_t(CurvePoint point);
-  std::optional<CurvePoint> point_at_parameter_limit(const CurvePoint& before,
-                                                     const CurvePoint& beyond);
-  CurvePoint locate_fold(const CurvePoint& from, const VectorXd& tangent, double step);
-  void append_point(const CurvePoint& point) { curve_.points.push_back(point); }
-  void append_fold(const CurvePoint& at, const VectorXd& direction, double step);
+  std::optional<SolutionCurvePoint> correct_prediction(const SolutionCurvePoint& predicted,
+                                                       const VectorXd& tangent, double step);
+  std::optional<SolutionCurvePoint> correct_at_fixed_t(SolutionCurvePoint point);
+  std::optional<SolutionCurvePoint> point_at_parameter_limit(const SolutionCurvePoint& before,
+                                                             const SolutionCurvePoint& beyond);
+  SolutionCurvePoint locate_fold(const SolutionCurvePoint& from, const VectorXd& tangent,
+                                 double step);
+  void append_point(const SolutionCurvePoint& point) { curve_.points.push_back(point); }
+  void append_fold(const SolutionCurvePoint& at, const VectorXd& direction, double step);
 
   const Homotopy& homotopy_;
   const ContinuationOptions& options_;
   SolutionCurve curve_;
 };
 
-CurvePoint predict_point(const CurvePoint& from, const VectorXd& tangent, double step) {
+SolutionCurvePoint predict_point(const SolutionCurvePoint& from, const VectorXd& tangent,
+                                 double step) {
   const Index n = from.a.size();
   return {from.a + step * tangent.head(n), from.t + step * tangent[n]};
 }
 
 // Returns the matrix of the derivatives [dG/da dG/dt] with `last_row` as additional last row.
-MatrixXd CurveTracer::bordered_jacobian(const CurvePoint& point, const VectorXd& last_row) const {
+MatrixXd SolutionCurveTracer::bordered_jacobian(const SolutionCurvePoint& point,
+                                                const VectorXd& last_row) const {
   const Index n = point.a.size();
   MatrixXd matrix(n + 1, n + 1);
   matrix.topLeftCorner(n, n) = homotopy_.jacobian(point.a, point.t);
@@ -59,25 +62,25 @@ MatrixXd CurveTracer::bordered_jacobian(const CurvePoint& point, const VectorXd&
 
 // Returns the unit tangent of the solution curve whose scalar product with the previous tangent
 // `previous_tangent` is positive.
-VectorXd CurveTracer::unit_tangent(const CurvePoint& point,
-                                   const VectorXd& previous_tangent) const {
+VectorXd SolutionCurveTracer::unit_tangent(const SolutionCurvePoint& point,
+                                           const VectorXd& previous_tangent) const {
   const Index n = point.a.size();
   return LuFactors(bordered_jacobian(point, previous_tangent))
       .solve(VectorXd::Unit(n + 1, n))
       .normalized();
 }
 
-bool CurveTracer::is_converged(const VectorXd& residual, double correction) const {
+bool SolutionCurveTracer::is_converged(const VectorXd& residual, double correction) const {
   return residual.lpNorm<Eigen::Infinity>() < options_.tolerance ||
          correction < options_.correction_tolerance;
 }
 
 // Corrects a predicted point by Newton steps within the hyperplane through `start` that is normal
 // to the tangent.
-std::optional<CurvePoint> CurveTracer::correct_prediction(const CurvePoint& start,
-                                                          const VectorXd& tangent, double step) {
+std::optional<SolutionCurvePoint> SolutionCurveTracer::correct_prediction(
+    const SolutionCurvePoint& start, const VectorXd& tangent, double step) {
   const Index n = start.a.size();
-  CurvePoint point = start;
+  SolutionCurvePoint point = start;
   VectorXd residual = homotopy_.residual(point.a, point.t);
   for (int i = 0; i < kMaxCorrections && residual.allFinite(); ++i) {
     VectorXd right(n + 1);
@@ -96,7 +99,8 @@ std::optional<CurvePoint> CurveTracer::correct_prediction(const CurvePoint& star
   return std::nullopt;
 }
 
-std::optional<CurvePoint> CurveTracer::correct_at_fixed_t(CurvePoint point) {
+std::optional<SolutionCurvePoint> SolutionCurveTracer::correct_at_fixed_t(
+    SolutionCurvePoint point) {
   VectorXd residual = homotopy_.residual(point.a, point.t);
   for (int i = 0; i < kMaxCorrections && residual.allFinite(); ++i) {
     const VectorXd change = LuFactors(homotopy_.jacobian(point.a, point.t)).solve(residual);
@@ -110,20 +114,20 @@ std::optional<CurvePoint> CurveTracer::correct_at_fixed_t(CurvePoint point) {
 
 // Returns the point of the curve at an end of the interval of t, interpolated between a point
 // inside the interval and a point beyond its end.
-std::optional<CurvePoint> CurveTracer::point_at_parameter_limit(const CurvePoint& before,
-                                                                const CurvePoint& beyond) {
+std::optional<SolutionCurvePoint> SolutionCurveTracer::point_at_parameter_limit(
+    const SolutionCurvePoint& before, const SolutionCurvePoint& beyond) {
   const double end = beyond.t >= 1 ? 1 : options_.min_t;
   const double share = (end - before.t) / (beyond.t - before.t);
-  const CurvePoint between{before.a + share * (beyond.a - before.a), end};
+  const SolutionCurvePoint between{before.a + share * (beyond.a - before.a), end};
   return options_.correct_end_point ? correct_at_fixed_t(between) : between;
 }
 
 // Locates a fold, a point of the curve with stationary t, by bisection of the step length.
-CurvePoint CurveTracer::locate_fold(const CurvePoint& from, const VectorXd& tangent_there,
-                                    double step) {
+SolutionCurvePoint SolutionCurveTracer::locate_fold(const SolutionCurvePoint& from,
+                                                    const VectorXd& tangent_there, double step) {
   const Index n = from.a.size();
   double low = 0, high = step;
-  CurvePoint fold = from;
+  SolutionCurvePoint fold = from;
   for (int i = 0; i < kFoldBisections; ++i) {
     const double middle = (low + high) / 2;
     const auto point =
@@ -135,14 +139,15 @@ CurvePoint CurveTracer::locate_fold(const CurvePoint& from, const VectorXd& tang
   return fold;
 }
 
-void CurveTracer::append_fold(const CurvePoint& at, const VectorXd& direction, double step) {
+void SolutionCurveTracer::append_fold(const SolutionCurvePoint& at, const VectorXd& direction,
+                                      double step) {
   append_point(locate_fold(at, direction, step));
   curve_.folds.push_back(curve_.points.size() - 1);
 }
 
-SolutionCurve CurveTracer::trace_from(const VectorXd& start) {
+SolutionCurve SolutionCurveTracer::trace_from(const VectorXd& start) {
   const Index n = start.size();
-  CurvePoint at{start, 0};
+  SolutionCurvePoint at{start, 0};
   VectorXd direction = unit_tangent(at, VectorXd::Unit(n + 1, n));
   append_point(at);
   double step = options_.first_step;
@@ -160,18 +165,19 @@ SolutionCurve CurveTracer::trace_from(const VectorXd& start) {
     if (options_.locate_folds && onwards[n] * direction[n] < 0) append_fold(at, direction, step);
     append_point(*last);
     if (beyond) {
-      curve_.end = last->t == 1 ? TerminationReason::end_reached : TerminationReason::fell_back;
+      curve_.end =
+          last->t == 1 ? ContinuationTermination::end_reached : ContinuationTermination::fell_back;
       return std::move(curve_);
     }
     if (next->a.norm() > options_.max_norm) {
-      curve_.end = TerminationReason::diverged;
+      curve_.end = ContinuationTermination::diverged;
       return std::move(curve_);
     }
     at = *next;
     direction = onwards;
     step = std::min(options_.max_step, step * options_.step_growth);
   }
-  curve_.end = TerminationReason::limit_exceeded;
+  curve_.end = ContinuationTermination::limit_exceeded;
   return std::move(curve_);
 }
 
@@ -187,13 +193,13 @@ Homotopy newton_homotopy(std::function<VectorXd(const VectorXd&)> residual,
           .parameter_derivative = [initial](const VectorXd&, double) { return initial; }};
 }
 
-const CurvePoint& SolutionCurve::point_with_largest_t() const {
-  return *std::ranges::max_element(points, {}, &CurvePoint::t);
+const SolutionCurvePoint& SolutionCurve::point_with_largest_t() const {
+  return *std::ranges::max_element(points, {}, &SolutionCurvePoint::t);
 }
 
 SolutionCurve trace_solution_curve(const Homotopy& homotopy, const VectorXd& start,
                                    const ContinuationOptions& options) {
-  return CurveTracer(homotopy, options).trace_from(start);
+  return SolutionCurveTracer(homotopy, options).trace_from(start);
 }
 
 }  // namespace fpkcheck::numerics

@@ -33,8 +33,8 @@ struct ContinuationOptions {
   double min_step = 1e-7;
   double step_growth = 1.4;  ///< factor of the step length after a successful step
   /// Largest accepted distance between the predicted and the corrected point, relative to the step
-  /// length. A step with a larger correction is rejected, since the correction may lead to another
-  /// branch of solutions.
+  /// length. A step whose correction exceeds this distance is rejected, since the correction may
+  /// lead to another branch of solutions.
   double max_relative_correction = 0.3;
   int max_points = 400;      ///< maximum number of steps, rejected steps included
   double max_norm = 100;     ///< upper limit of |a|, beyond which the continuation ends
@@ -48,12 +48,12 @@ struct ContinuationOptions {
   std::function<bool()> should_stop = {};
 };
 
-struct CurvePoint {
+struct SolutionCurvePoint {
   Eigen::VectorXd a;
   double t;
 };
 
-enum class TerminationReason {
+enum class ContinuationTermination {
   end_reached,     ///< the continuation reached t = 1
   fell_back,       ///< the parameter t fell to min_t
   diverged,        ///< the norm |a| exceeded max_norm
@@ -63,14 +63,14 @@ enum class TerminationReason {
 
 struct SolutionCurve {
   /// Points of the curve, folds included, by increasing arclength from t = 0.
-  std::vector<CurvePoint> points;
+  std::vector<SolutionCurvePoint> points;
   /// Indices in `points` of the folds, where t has an extremum; empty without
   /// ContinuationOptions::locate_folds.
   std::vector<std::size_t> folds;
-  TerminationReason end = TerminationReason::step_underflow;
+  ContinuationTermination end = ContinuationTermination::step_underflow;
   int iterations = 0;  ///< number of Newton steps
 
-  const CurvePoint& point_with_largest_t() const;
+  const SolutionCurvePoint& point_with_largest_t() const;
 };
 
 /// Computes points of the solution curve of G = 0 from (start, 0) towards t = 1 by pseudo-arclength

@@ -11,19 +11,19 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-struct MapEvaluation {
+struct FixedPointMapEvaluation {
   VectorXd value;   // f(x)
   VectorXd change;  // f(x) - x
 };
 
-VectorXd next_anderson_argument(const std::deque<MapEvaluation>& last) {
+VectorXd next_anderson_argument(const std::deque<FixedPointMapEvaluation>& last) {
   const auto terms = static_cast<Index>(last.size()) - 1;
-  const MapEvaluation& newest = last.back();
+  const FixedPointMapEvaluation& newest = last.back();
   if (terms == 0) return newest.value;
   MatrixXd values(newest.value.size(), terms), changes(newest.value.size(), terms);
   for (Index j = 0; j < terms; ++j) {
-    const MapEvaluation &a = last[static_cast<std::size_t>(j)],
-                        &b = last[static_cast<std::size_t>(j) + 1];
+    const FixedPointMapEvaluation &a = last[static_cast<std::size_t>(j)],
+                                  &b = last[static_cast<std::size_t>(j) + 1];
     values.col(j) = b.value - a.value;
     changes.col(j) = b.change - a.change;
   }
@@ -32,11 +32,11 @@ VectorXd next_anderson_argument(const std::deque<MapEvaluation>& last) {
 
 }  // namespace
 
-FixedPoint solve_fixed_point(const VectorMap& f, const VectorXd& start,
-                             const FixedPointOptions& options) {
+FixedPointResult solve_fixed_point(const VectorMap& f, const VectorXd& start,
+                                   const FixedPointOptions& options) {
   constexpr std::size_t kMostEvaluations = 8;  // evaluations that determine the next argument
-  FixedPoint result{.x = start};
-  std::deque<MapEvaluation> last;
+  FixedPointResult result{.x = start};
+  std::deque<FixedPointMapEvaluation> last;
   VectorXd x = start;
   while (result.evaluations < options.max_evaluations) {
     std::optional<VectorXd> value = f(x);

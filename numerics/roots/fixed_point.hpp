@@ -11,13 +11,13 @@ namespace fpkcheck::numerics {
 using VectorMap = std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd& x)>;
 
 struct FixedPointOptions {
-  /// Function that returns the size of a change f(x) - x
+  /// Function that returns the norm of a change f(x) - x of the iterate.
   std::function<double(const Eigen::VectorXd& change)> size;
   double tolerance;  ///< largest size of the change at the fixed point
   int max_evaluations = 60;
 };
 
-struct FixedPoint {
+struct FixedPointResult {
   Eigen::VectorXd x;  ///< last value of f
   /// Size of the last change f(x) - x; infinite without a value of f
   double change = std::numeric_limits<double>::infinity();
@@ -33,7 +33,7 @@ struct FixedPoint {
 ///
 /// For a linear map the first eight iterations are equivalent to iterations of GMRES. If the next
 /// argument is outside the domain of f, the iteration starts again from f_k.
-FixedPoint solve_fixed_point(const VectorMap& f, const Eigen::VectorXd& start,
-                             const FixedPointOptions& options);
+FixedPointResult solve_fixed_point(const VectorMap& f, const Eigen::VectorXd& start,
+                                   const FixedPointOptions& options);
 
 }  // namespace fpkcheck::numerics

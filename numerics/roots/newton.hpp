@@ -25,7 +25,8 @@ struct NewtonResult {
 /// Halves a step fraction, beginning with `first_step_fraction`, until `accepts` returns true.
 /// Returns the accepted fraction, or 0 if the fraction has fallen to `min_step_fraction`.
 template <class Accepts>
-double backtrack(double first_step_fraction, double min_step_fraction, const Accepts& accepts) {
+double halve_step_until_accepted(double first_step_fraction, double min_step_fraction,
+                                 const Accepts& accepts) {
   for (double step_fraction = first_step_fraction; step_fraction > min_step_fraction;
        step_fraction /= 2) {
     if (accepts(step_fraction)) return step_fraction;

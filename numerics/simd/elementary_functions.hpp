@@ -21,7 +21,7 @@ inline constexpr double kLn2High = 6.93147180369123816490e-01, kLn2Low = 1.90821
 /// + 2 artanh s.
 template <class Real>
 FPKCHECK_INLINE Real logarithm(const Real& x) {
-  using Bits = typename VectorTypes<kWidth<Real>>::Bits;
+  using Bits = typename SimdVectorTypes<kWidth<Real>>::Bits;
   constexpr std::int64_t kHalfRoot = 0x3fe6a09e667f3bcd;  // bits of sqrt(1/2)
   Bits bits;
   __builtin_memcpy(&bits, &x, sizeof bits);
@@ -47,7 +47,7 @@ FPKCHECK_INLINE Real logarithm(const Real& x) {
 /// r and |r| <= ln(2)/2, exp x is 2^n times the Taylor series of exp r up to r^13.
 template <class Real>
 FPKCHECK_INLINE Real exponential(const Real& x) {
-  using Bits = typename VectorTypes<kWidth<Real>>::Bits;
+  using Bits = typename SimdVectorTypes<kWidth<Real>>::Bits;
   constexpr double kPerLn2 = 1.4426950408889634074;
   const Real shifted = x * kPerLn2 + kShift;
   const Real n = shifted - kShift;

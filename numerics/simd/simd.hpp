@@ -11,7 +11,7 @@
 ///
 /// The results in a lane are bit-identical for all W and all instruction sets. The operations +, -,
 /// *, / and sqrt are correctly rounded, and -ffp-contract=off prevents fused multiply-add. No
-/// operation of this header combines different lanes.
+/// operation of simd.hpp combines numbers of different lanes.
 namespace fpkcheck::simd {
 
 /// Attribute that forces inlining of a function. SIMD vectors must not be passed between functions
@@ -19,7 +19,7 @@ namespace fpkcheck::simd {
 #define FPKCHECK_INLINE inline __attribute__((always_inline))
 
 template <int W>
-struct VectorTypes {
+struct SimdVectorTypes {
   static_assert(std::has_single_bit(static_cast<unsigned>(W)));
   // The vector types are typedefs, since GCC 12 ignores the vector attribute in a `using`
   // declaration if W is a template parameter.
@@ -29,7 +29,7 @@ struct VectorTypes {
   typedef std::int32_t Index __attribute__((vector_size(4 * W)));
 };
 template <>
-struct VectorTypes<1> {
+struct SimdVectorTypes<1> {
   using Real = double;
   using Mask = bool;
   using Bits = std::int64_t;
@@ -74,10 +74,12 @@ FPKCHECK_INLINE Real lanewise_max(const Real& a, const Real& b) {
   return a > b ? a : b;
 }
 
-FPKCHECK_INLINE bool any_lane_set(bool mask) { return mask; }
-FPKCHECK_INLINE bool any_lane_set(int mask) { return mask != 0; }  // the type of bool & bool is int
+FPKCHECK_INLINE bool any_mask_lane_set(bool mask) { return mask; }
+FPKCHECK_INLINE bool any_mask_lane_set(int mask) {
+  return mask != 0;
+}  // the type of bool & bool is int
 template <class Mask>
-FPKCHECK_INLINE bool any_lane_set(const Mask& mask) {
+FPKCHECK_INLINE bool any_mask_lane_set(const Mask& mask) {
   typedef std::int64_t Pair __attribute__((vector_size(16)));
   constexpr int kPairs = static_cast<int>(sizeof(Mask) / sizeof(Pair));
   Pair pairs[kPairs];
@@ -88,14 +90,14 @@ FPKCHECK_INLINE bool any_lane_set(const Mask& mask) {
 }
 
 template <class Real>
-FPKCHECK_INLINE Real broadcast(double x) {
+FPKCHECK_INLINE Real all_lanes_equal_to(double x) {
   return Real{} + x;
 }
 
-FPKCHECK_INLINE double lane_value(double x, int) { return x; }
-FPKCHECK_INLINE double lane_value(bool x, int) { return x ? 1 : 0; }
+FPKCHECK_INLINE double value_in_lane(double x, int) { return x; }
+FPKCHECK_INLINE double value_in_lane(bool x, int) { return x ? 1 : 0; }
 template <class Real>
-FPKCHECK_INLINE double lane_value(const Real& x, int i) {
+FPKCHECK_INLINE double value_in_lane(const Real& x, int i) {
   return static_cast<double>(x[i]);
 }
 
@@ -117,8 +119,8 @@ FPKCHECK_INLINE std::int32_t truncate_to_index(double x) {
   return static_cast<std::int32_t>(x);
 }
 template <class Real>
-FPKCHECK_INLINE typename VectorTypes<kWidth<Real>>::Index truncate_to_index(const Real& x) {
-  return __builtin_convertvector(x, typename VectorTypes<kWidth<Real>>::Index);
+FPKCHECK_INLINE typename SimdVectorTypes<kWidth<Real>>::Index truncate_to_index(const Real& x) {
+  return __builtin_convertvector(x, typename SimdVectorTypes<kWidth<Real>>::Index);
 }
 
 }  // namespace fpkcheck::simd

@@ -16,11 +16,11 @@ QuinticBSplines::QuinticBSplines(std::vector<double> knots)
   }
 }
 
-QuinticBSplines::ValuesAndSlopes QuinticBSplines::values_and_slopes(double x) const {
+QuinticBSplines::BasisValuesAndSlopes QuinticBSplines::values_and_slopes(double x) const {
   const double inside = std::clamp(x, begin(), end());
   const auto after = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, inside);
   const int span = static_cast<int>(after - breaks_.begin()) - 1;
-  ValuesAndSlopes values{.first = first_[span], .value = {1}, .slope = {}};
+  BasisValuesAndSlopes values{.first = first_[span], .value = {1}, .slope = {}};
   const int last = values.first + kDegree;  // index of the last knot at the beginning of the span
   // Cox-de Boor recursion: after step p, value[l] is the value of basis function last - p + l of
   // degree p.
@@ -30,8 +30,8 @@ QuinticBSplines::ValuesAndSlopes QuinticBSplines::values_and_slopes(double x) co
     for (int l = 0; l < p; ++l) {
       const double low = knots_[last - p + 1 + l], high = knots_[last + 1 + l];
       const double share = b[l] / (high - low);
-      // The slope of a basis function of degree p is p (previous share - share). A share is a basis
-      // function of degree p - 1 divided by the width of its support.
+      // The slope of a basis function of degree p is p (previous share - share). In this slope
+      // formula, a share is a basis function of degree p - 1 divided by the width of its support.
       if (p == kDegree && inside == x) {
         values.slope[l] -= p * share;
         values.slope[l + 1] += p * share;

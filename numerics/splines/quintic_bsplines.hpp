@@ -25,11 +25,11 @@ class QuinticBSplines {
 
   /// Values and slopes of the six basis functions first .. first + 5 at a point. All other basis
   /// functions are 0 at the point.
-  struct ValuesAndSlopes {
+  struct BasisValuesAndSlopes {
     int first;
     std::array<double, kDegree + 1> value, slope;
   };
-  ValuesAndSlopes values_and_slopes(double x) const;
+  BasisValuesAndSlopes values_and_slopes(double x) const;
   /// Returns the second derivatives at x of the six basis functions in values_and_slopes(x). Beyond
   /// the ends of the knots the second derivatives are 0.
   std::array<double, kDegree + 1> second_derivatives(double x) const;

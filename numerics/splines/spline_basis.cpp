@@ -38,7 +38,7 @@ Eigen::MatrixXd SplineBasis::basis_derivatives(double x, int span, int derivativ
   return values;
 }
 
-std::vector<double> graded_breaks(double end, int cells, double finest, double uniform_from) {
+std::vector<double> graded_break_points(double end, int cells, double finest, double uniform_from) {
   // The number of cells between 0 and x is proportional to int_0^x (1 + t/uniform_from)/(t +
   // finest) dt.
   const auto count = [&](double x) {

@@ -18,12 +18,12 @@ class SplineBasis {
   explicit SplineBasis(std::vector<double> breaks, int degree = kDefaultSplineDegree);
 
   int degree() const { return degree_; }
-  int span_count() const { return static_cast<int>(breaks_.size()) - 1; }
-  int size() const { return span_count() + degree_; }
+  int break_span_count() const { return static_cast<int>(breaks_.size()) - 1; }
+  int size() const { return break_span_count() + degree_; }
   std::span<const double> breaks() const { return breaks_; }
   double end() const { return breaks_.back(); }
   /// Returns knot i, 0 <= i < size() + degree() + 1; each end knot occurs degree() + 1 times.
-  double knot(int i) const { return knots_[i]; }
+  double spline_knot(int i) const { return knots_[i]; }
   /// Returns the index of the span that contains x. If x is outside the interval of the breaks, the
   /// result is the first or the last span.
   int span_containing(double x) const;
@@ -43,7 +43,7 @@ class SplineBasis {
 /// finest near the origin and nearly constant beyond `uniform_from`:
 ///
 ///     cell width ~ (x + finest) / (1 + x/uniform_from),   0 < finest < uniform_from.
-std::vector<double> graded_breaks(double end, int cells, double finest, double uniform_from);
+std::vector<double> graded_break_points(double end, int cells, double finest, double uniform_from);
 
 /// Returns the Bezier extraction matrix, whose row l contains the Bernstein coefficients of basis
 /// function span + l on the segment from `from` to `to`. The segment may be a part of the span, and
@@ -67,7 +67,8 @@ Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> bezier_extraction(const Spli
     for (int r = 1; r <= p; ++r) {
       const Real argument = r <= p - j ? from : to;
       for (int i = p; i >= r; --i) {
-        const Real low = Real(basis.knot(span + i)), high = Real(basis.knot(span + i + p + 1 - r));
+        const Real low = Real(basis.spline_knot(span + i)),
+                   high = Real(basis.spline_knot(span + i + p + 1 - r));
         const Real t = (argument - low) / (high - low), s = (high - argument) / (high - low);
         for (int l = i - r; l <= i; ++l) d(i, l) = s * d(i - 1, l) + t * d(i, l);
       }

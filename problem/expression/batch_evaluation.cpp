@@ -32,7 +32,7 @@ constexpr double kSmall = 0.06;
 
 template <class Real>
 FPKCHECK_INLINE Real clamped_exponential(const Real& x) {
-  const Real limit = simd::broadcast<Real>(kLargestExponent);
+  const Real limit = simd::all_lanes_equal_to<Real>(kLargestExponent);
   return simd::exponential(simd::lanewise_max(simd::lanewise_min(x, limit), -limit));
 }
 
@@ -81,7 +81,7 @@ FPKCHECK_INLINE void call_function(const NamedFunction& f, std::size_t count, Re
           : &f == kSinh ? hyperbolic_sine(x)
                         : hyperbolic_cosine(x);
     }
-    if (!simd::any_lane_set(~computed)) return;
+    if (!simd::any_mask_lane_set(~computed)) return;
     for (std::size_t k = 0; k < count; ++k) {
       if (computed[k] == 0) a[k] = f.value(x[k], b[k]);
     }
@@ -91,22 +91,26 @@ FPKCHECK_INLINE void call_function(const NamedFunction& f, std::size_t count, Re
 // Values and derivatives with respect to v of a batch of points, as numerics::DualNumber. The
 // members have no initial values, so that an evaluation does not set its whole stack to zero.
 template <class Real>
-struct DualBatch {
+struct DualNumberBatch {
   Real value, derivative;
 
-  FPKCHECK_INLINE friend DualBatch operator+(const DualBatch& a, const DualBatch& b) {
+  FPKCHECK_INLINE friend DualNumberBatch operator+(const DualNumberBatch& a,
+                                                   const DualNumberBatch& b) {
     return {a.value + b.value, a.derivative + b.derivative};
   }
-  FPKCHECK_INLINE friend DualBatch operator-(const DualBatch& a, const DualBatch& b) {
+  FPKCHECK_INLINE friend DualNumberBatch operator-(const DualNumberBatch& a,
+                                                   const DualNumberBatch& b) {
     return {a.value - b.value, a.derivative - b.derivative};
   }
-  FPKCHECK_INLINE friend DualBatch operator-(const DualBatch& a) {
+  FPKCHECK_INLINE friend DualNumberBatch operator-(const DualNumberBatch& a) {
     return {-a.value, -a.derivative};
   }
-  FPKCHECK_INLINE friend DualBatch operator*(const DualBatch& a, const DualBatch& b) {
+  FPKCHECK_INLINE friend DualNumberBatch operator*(const DualNumberBatch& a,
+                                                   const DualNumberBatch& b) {
     return {a.value * b.value, a.derivative * b.value + a.value * b.derivative};
   }
-  FPKCHECK_INLINE friend DualBatch operator/(const DualBatch& a, const DualBatch& b) {
+  FPKCHECK_INLINE friend DualNumberBatch operator/(const DualNumberBatch& a,
+                                                   const DualNumberBatch& b) {
     const Real quotient = a.value / b.value;
     return {quotient, (a.derivative - quotient * b.derivative) / b.value};
   }
@@ -116,9 +120,9 @@ template <class Number>
 FPKCHECK_INLINE Number constant_of(double value) {
   if constexpr (requires(Number number) { number.derivative; }) {
     using Real = decltype(Number::value);
-    return {simd::broadcast<Real>(value), Real{}};
+    return {simd::all_lanes_equal_to<Real>(value), Real{}};
   } else {
-    return simd::broadcast<Number>(value);
+    return simd::all_lanes_equal_to<Number>(value);
   }
 }
 
@@ -130,9 +134,9 @@ FPKCHECK_INLINE Real chain_rule(const Real& slope, const Real& derivative) {
 }
 
 template <class Real>
-FPKCHECK_INLINE void call_function(const NamedFunction& f, std::size_t count, DualBatch<Real>& a,
-                                   const DualBatch<Real>& b) {
-  const Real x = a.value, one = simd::broadcast<Real>(1);
+FPKCHECK_INLINE void call_function(const NamedFunction& f, std::size_t count,
+                                   DualNumberBatch<Real>& a, const DualNumberBatch<Real>& b) {
+  const Real x = a.value, one = simd::all_lanes_equal_to<Real>(1);
   call_function(f, count, a.value, b.value);
   if (&f == kAbs) {
     a.derivative = x < 0.0 ? -a.derivative : x > 0.0 ? a.derivative : Real{};
@@ -170,7 +174,8 @@ FPKCHECK_INLINE Real half_integer_power_of(const Real& base, int n) {
   return integer_power_of(simd::square_root(base), n);
 }
 template <class Real>
-FPKCHECK_INLINE DualBatch<Real> half_integer_power_of(const DualBatch<Real>& base, int n) {
+FPKCHECK_INLINE DualNumberBatch<Real> half_integer_power_of(const DualNumberBatch<Real>& base,
+                                                            int n) {
   return {half_integer_power_of(base.value, n),
           chain_rule(0.5 * n * half_integer_power_of(base.value, n - 2), base.derivative)};
 }
@@ -180,8 +185,8 @@ FPKCHECK_INLINE void raise_to_power(Real& base, const Real& exponent, std::size_
   for (std::size_t k = 0; k < count; ++k) base[k] = real_power(base[k], exponent[k]);
 }
 template <class Real>
-FPKCHECK_INLINE void raise_to_power(DualBatch<Real>& base, const DualBatch<Real>& exponent,
-                                    std::size_t count) {
+FPKCHECK_INLINE void raise_to_power(DualNumberBatch<Real>& base,
+                                    const DualNumberBatch<Real>& exponent, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) {
     const numerics::DualNumber power =
         real_power(numerics::DualNumber{base.value[k], base.derivative[k]},
@@ -196,7 +201,7 @@ constexpr double kLargestHalfInteger = 8;
 
 // For at most kHalf points half a batch is evaluated, since half a batch fits into one register of
 // AVX2.
-constexpr std::size_t kHalf = Expression::kBatch / 2;
+constexpr std::size_t kHalf = Expression::kBatchPoints / 2;
 
 template <class Real>
 FPKCHECK_INLINE Real load_points(std::size_t count, const double* numbers) {
@@ -281,7 +286,8 @@ FPKCHECK_INLINE Number Expression::evaluate_simd_batch(const Number& y, const Nu
 }
 
 // One version for each instruction set, all with the same bits; the loader selects one. With Clang
-// 14 the versions neither compile nor link: only the version of the baseline exists.
+// 14 only the version for the baseline instruction set is compiled, since Clang 14 cannot link
+// several versions of a function.
 #if defined(__x86_64__) && defined(__linux__) && !defined(__clang__)
 #define FPKCHECK_VERSIONS __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
@@ -290,8 +296,8 @@ FPKCHECK_INLINE Number Expression::evaluate_simd_batch(const Number& y, const Nu
 
 FPKCHECK_VERSIONS void Expression::evaluate_batch(std::size_t count, const double* y,
                                                   const double* v, double* values) const {
-  using Whole = simd::VectorTypes<kBatch>::Real;
-  using Half = simd::VectorTypes<kHalf>::Real;
+  using Whole = simd::SimdVectorTypes<kBatchPoints>::Real;
+  using Half = simd::SimdVectorTypes<kHalf>::Real;
   if (count > kHalf) {
     store_points(
         count,
@@ -304,14 +310,12 @@ FPKCHECK_VERSIONS void Expression::evaluate_batch(std::size_t count, const doubl
   }
 }
 
-FPKCHECK_VERSIONS void Expression::evaluate_batch_with_slopes_in_v(std::size_t count,
-                                                                   const double* y, const double* v,
-                                                                   double* values,
-                                                                   double* slopes) const {
-  using Real = simd::VectorTypes<kBatch>::Real;
-  const auto [value, derivative] = evaluate_simd_batch<DualBatch<Real>>(
+FPKCHECK_VERSIONS void Expression::evaluate_batch_with_velocity_slopes(
+    std::size_t count, const double* y, const double* v, double* values, double* slopes) const {
+  using Real = simd::SimdVectorTypes<kBatchPoints>::Real;
+  const auto [value, derivative] = evaluate_simd_batch<DualNumberBatch<Real>>(
       {load_points<Real>(count, y), Real{}},
-      {load_points<Real>(count, v), simd::broadcast<Real>(1)}, count);
+      {load_points<Real>(count, v), simd::all_lanes_equal_to<Real>(1)}, count);
   store_points(count, value, values);
   store_points(count, derivative, slopes);
 }

@@ -55,9 +55,9 @@ Polynomial monomial(int i, int j, double coefficient) {
   return BivariateCoefficients{{{i, j}, coefficient}};
 }
 
-Parity parity_of_product(Parity a, Parity b) {
-  if (a == Parity::none || b == Parity::none) return Parity::none;
-  return a == b ? Parity::even : Parity::odd;
+FunctionParity parity_of_product(FunctionParity a, FunctionParity b) {
+  if (a == FunctionParity::none || b == FunctionParity::none) return FunctionParity::none;
+  return a == b ? FunctionParity::even : FunctionParity::odd;
 }
 
 }  // namespace
@@ -140,31 +140,31 @@ std::optional<BivariateCoefficients> Expression::polynomial_coefficients() const
   return result;
 }
 
-Parity Expression::parity() const {
-  std::vector<Parity> stack;
+FunctionParity Expression::parity() const {
+  std::vector<FunctionParity> stack;
   const auto pop = [&] {
-    const Parity last = stack.back();
+    const FunctionParity last = stack.back();
     stack.pop_back();
     return last;
   };
   for (const Node& node : nodes_) {
     switch (node.operation) {
       case Operation::constant:
-        stack.push_back(Parity::even);
+        stack.push_back(FunctionParity::even);
         break;
       case Operation::y:
       case Operation::v:
-        stack.push_back(Parity::odd);
+        stack.push_back(FunctionParity::odd);
         break;
       case Operation::add:
       case Operation::subtract: {
-        const Parity b = pop(), a = pop();
-        stack.push_back(a == b ? a : Parity::none);
+        const FunctionParity b = pop(), a = pop();
+        stack.push_back(a == b ? a : FunctionParity::none);
         break;
       }
       case Operation::multiply:
       case Operation::divide: {
-        const Parity b = pop(), a = pop();
+        const FunctionParity b = pop(), a = pop();
         stack.push_back(parity_of_product(a, b));
         break;
       }
@@ -173,20 +173,21 @@ Parity Expression::parity() const {
       case Operation::power: {
         const bool is_odd_power =
             node.has_integer_exponent && static_cast<int>(node.constant) % 2 != 0;
-        const Parity exponent = node.has_integer_exponent ? Parity::even : pop();
-        const Parity base = pop();
+        const FunctionParity exponent = node.has_integer_exponent ? FunctionParity::even : pop();
+        const FunctionParity base = pop();
         if (node.has_integer_exponent) {
-          stack.push_back(base == Parity::odd && !is_odd_power ? Parity::even : base);
+          stack.push_back(base == FunctionParity::odd && !is_odd_power ? FunctionParity::even
+                                                                       : base);
         } else {
-          const bool is_even = base == Parity::even && exponent == Parity::even;
-          stack.push_back(is_even ? Parity::even : Parity::none);
+          const bool is_even = base == FunctionParity::even && exponent == FunctionParity::even;
+          stack.push_back(is_even ? FunctionParity::even : FunctionParity::none);
         }
         break;
       }
       case Operation::call: {
-        Parity arguments = pop();
-        if (node.function->arguments == 2 && pop() != arguments) arguments = Parity::none;
-        stack.push_back(arguments == Parity::odd ? node.function->parity : arguments);
+        FunctionParity arguments = pop();
+        if (node.function->arguments == 2 && pop() != arguments) arguments = FunctionParity::none;
+        stack.push_back(arguments == FunctionParity::odd ? node.function->parity : arguments);
         break;
       }
     }
@@ -197,8 +198,9 @@ Parity Expression::parity() const {
 std::vector<double> Expression::find_kinks(Operation variable, double low, double high,
                                            const std::function<bool(std::size_t)>& wanted) const {
   const Operation other = variable == Operation::y ? Operation::v : Operation::y;
-  // Number of points between which sign changes are searched. The search can miss kinks closer than
-  // two neighbouring points. The search ends after kPoints sign changes, which no grid resolves.
+  // Number of grid points between which the search for kinks of an expression looks for sign
+  // changes. The search can miss kinks that are closer together than two neighbouring grid points.
+  // The search for kinks ends after kPoints sign changes, since no grid resolves more kinks.
   constexpr int kPoints = 4000;
   std::vector<char> has_kink(nodes_.size());
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
@@ -224,8 +226,9 @@ std::vector<double> Expression::find_kinks(Operation variable, double low, doubl
     for (std::size_t k = 0; k < nodes_.size(); ++k) {
       if (has_kink[k] == 0) continue;
       const double at_left = left_values[k], at_right = right_values[k];
-      // A zero at a point of the search is a kink if both neighbouring values differ from zero. The
-      // condition excludes an argument that is zero over an interval, such as max(y, 0) for y < 0.
+      // A zero at a grid point of the search is a kink if both neighbouring values differ from
+      // zero. The condition on the neighbouring values excludes an argument that is zero over an
+      // interval, such as max(y, 0) for y < 0.
       if (n > 1 && earlier_values[k] != 0 && at_left == 0 && at_right != 0) found.insert(left);
       if (!((at_left < 0 && at_right > 0) || (at_left > 0 && at_right < 0))) continue;
       if (++changes > kPoints) return {found.begin(), found.end()};
@@ -252,7 +255,7 @@ std::vector<double> Expression::kinks_in_v(double low, double high) const {
   return find_kinks(Operation::v, low, high, [](std::size_t) { return true; });
 }
 
-bool Expression::has_oblique_kinks() const {
+bool Expression::has_kinks_along_other_curves() const {
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     if (nodes_[k].operation != Operation::call || nodes_[k].function->kink == nullptr) continue;
     if (contains_operation(nodes_[k].first, k, Operation::y) &&

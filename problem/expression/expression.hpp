@@ -48,24 +48,24 @@ class Expression {
                           const std::string& label, std::string_view variables = "yv");
 
   /// Returns the text of the formula, as passed to parse().
-  const std::string& text() const { return text_; }
+  const std::string& formula_text() const { return text_; }
 
-  /// Returns the value of the expression. `Number` is double, a DualNumber, or another aggregate
-  /// whose first member is the value. The namespace of `Number` defines arithmetic, apply() and
-  /// real_power().
+  /// Returns the value of the expression. The type `Number` is double, DualNumber, or another
+  /// aggregate whose first member is the value. The namespace of `Number` defines arithmetic,
+  /// apply() and real_power().
   template <class Number>
   Number operator()(const Number& y, const Number& v) const {
     return evaluate<Number>(0, nodes_.size(), y, v);
   }
   /// Number of points that evaluate_batch() evaluates at once.
-  static constexpr int kBatch = 8;
+  static constexpr int kBatchPoints = 8;
   /// Computes the values at `count` <= kBatch points (y, v), faster than by single evaluations. The
-  /// values differ from the values of operator() by rounding. The value at a point does not depend
-  /// on the other points of the batch.
+  /// values of the batch evaluation differ from the values of operator() by rounding errors. The
+  /// value at a point does not depend on the other points of the batch.
   void evaluate_batch(std::size_t count, const double* y, const double* v, double* values) const;
   /// Computes the values, and their derivatives with respect to v, at `count` <= kBatch points.
-  void evaluate_batch_with_slopes_in_v(std::size_t count, const double* y, const double* v,
-                                       double* values, double* slopes) const;
+  void evaluate_batch_with_velocity_slopes(std::size_t count, const double* y, const double* v,
+                                           double* values, double* slopes) const;
   /// Returns the derivative with respect to y.
   /// @pre the derivative exists at (y, v)
   double derivative_in_y(double y, double v) const {
@@ -84,9 +84,9 @@ class Expression {
   /// polynomial.
   std::optional<BivariateCoefficients> polynomial_coefficients() const;
   /// Returns the parity under (y, v) -> (-y, -v) that follows from the parities of the terms and
-  /// factors of the expression. The result is `none` for a parity that follows only from an
-  /// identity.
-  Parity parity() const;
+  /// factors of the expression. The result is FunctionParity::none if the parity follows only from
+  /// an algebraic identity.
+  FunctionParity parity() const;
   /// Returns the values of y in (low, high) at which the expression or its slope jumps for every v,
   /// in increasing order.
   std::vector<double> kinks_in_y(double low, double high) const;
@@ -95,7 +95,7 @@ class Expression {
   std::vector<double> kinks_in_v(double low, double high) const;
   /// Returns whether the expression or its slope jumps along a curve other than y = const. and v =
   /// const. An example is abs(y - v).
-  bool has_oblique_kinks() const;
+  bool has_kinks_along_other_curves() const;
   /// Returns whether the expression contains a function with a kink, for example abs(), or a
   /// non-integer power.
   bool has_kinks() const;

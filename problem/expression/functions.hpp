@@ -8,7 +8,7 @@
 namespace fpkcheck::problem {
 
 /// Parity of a function f(x, y, ..) under a change of the sign of all arguments.
-enum class Parity { even, odd, none };
+enum class FunctionParity { even, odd, none };
 
 /// A function of one or two arguments that an expression can call.
 struct NamedFunction {
@@ -18,7 +18,7 @@ struct NamedFunction {
   Value value;            ///< f(a, b)
   Value slope;            ///< df/da
   Value slope_in_second;  ///< df/db; null for functions of one argument
-  Parity parity = Parity::none;
+  FunctionParity parity = FunctionParity::none;
   /// A function of the arguments that changes its sign where f or its slope jumps; null if f is
   /// smooth.
   Value kink = nullptr;
@@ -30,20 +30,20 @@ inline constexpr std::array kFunctions{
                   [](double a, double) { return a < 0   ? -1.0
                                                 : a > 0 ? 1.0
                                                         : 0.0; }, nullptr,
-                  Parity::even, [](double a, double) { return a; }},
+                  FunctionParity::even, [](double a, double) { return a; }},
     NamedFunction{"sign", 1, [](double a, double) { return a < 0   ? -1.0
                                                            : a > 0 ? 1.0
                                                                    : 0.0; },
-                  [](double, double) { return 0.0; }, nullptr, Parity::odd,
+                  [](double, double) { return 0.0; }, nullptr, FunctionParity::odd,
                   [](double a, double) { return a; }},
     // The comparison a != a is true for NaN, so that max and min return NaN for a = NaN.
     NamedFunction{"max", 2, [](double a, double b) { return a > b || a != a ? a : b; },
                   [](double a, double b) { return a >= b ? 1.0 : 0.0; },
-                  [](double a, double b) { return a >= b ? 0.0 : 1.0; }, Parity::none,
+                  [](double a, double b) { return a >= b ? 0.0 : 1.0; }, FunctionParity::none,
                   [](double a, double b) { return a - b; }},
     NamedFunction{"min", 2, [](double a, double b) { return a < b || a != a ? a : b; },
                   [](double a, double b) { return a <= b ? 1.0 : 0.0; },
-                  [](double a, double b) { return a <= b ? 0.0 : 1.0; }, Parity::none,
+                  [](double a, double b) { return a <= b ? 0.0 : 1.0; }, FunctionParity::none,
                   [](double a, double b) { return a - b; }},
     NamedFunction{"sqrt", 1, [](double a, double) { return std::sqrt(a); },
                   [](double a, double) { return 0.5 / std::sqrt(a); }, nullptr},
@@ -52,24 +52,24 @@ inline constexpr std::array kFunctions{
     NamedFunction{"log", 1, [](double a, double) { return std::log(a); },
                   [](double a, double) { return 1 / a; }, nullptr},
     NamedFunction{"sin", 1, [](double a, double) { return std::sin(a); },
-                  [](double a, double) { return std::cos(a); }, nullptr, Parity::odd},
+                  [](double a, double) { return std::cos(a); }, nullptr, FunctionParity::odd},
     NamedFunction{"cos", 1, [](double a, double) { return std::cos(a); },
-                  [](double a, double) { return -std::sin(a); }, nullptr, Parity::even},
+                  [](double a, double) { return -std::sin(a); }, nullptr, FunctionParity::even},
     NamedFunction{"tan", 1, [](double a, double) { return std::tan(a); },
                   [](double a, double) { return 1 + std::tan(a) * std::tan(a); }, nullptr,
-                  Parity::odd},
+                  FunctionParity::odd},
     NamedFunction{"atan", 1, [](double a, double) { return std::atan(a); },
-                  [](double a, double) { return 1 / (1 + a * a); }, nullptr, Parity::odd},
+                  [](double a, double) { return 1 / (1 + a * a); }, nullptr, FunctionParity::odd},
     NamedFunction{"sinh", 1, [](double a, double) { return std::sinh(a); },
-                  [](double a, double) { return std::cosh(a); }, nullptr, Parity::odd},
+                  [](double a, double) { return std::cosh(a); }, nullptr, FunctionParity::odd},
     NamedFunction{"cosh", 1, [](double a, double) { return std::cosh(a); },
-                  [](double a, double) { return std::sinh(a); }, nullptr, Parity::even},
+                  [](double a, double) { return std::sinh(a); }, nullptr, FunctionParity::even},
     NamedFunction{"tanh", 1, [](double a, double) { return std::tanh(a); },
                   [](double a, double) { return 1 - std::tanh(a) * std::tanh(a); }, nullptr,
-                  Parity::odd},
+                  FunctionParity::odd},
     NamedFunction{"erf", 1, [](double a, double) { return std::erf(a); },
                   [](double a, double) { return 2 * std::numbers::inv_sqrtpi * std::exp(-a * a); },
-                  nullptr, Parity::odd},
+                  nullptr, FunctionParity::odd},
     NamedFunction{"erfc", 1, [](double a, double) { return std::erfc(a); },
                   [](double a, double) { return -2 * std::numbers::inv_sqrtpi * std::exp(-a * a); },
                   nullptr},

@@ -7,7 +7,7 @@ namespace fpkcheck::problem {
 
 StateFunction::PhysicalStates StateFunction::physical_states(std::size_t count, const double* x,
                                                              const double* v) const {
-  assert(count <= Expression::kBatch);
+  assert(count <= Expression::kBatchPoints);
   PhysicalStates states;
   for (std::size_t k = 0; k < count; ++k) {
     states.y[k] = frame_.physical_y(x[k]);
@@ -23,13 +23,13 @@ void StateFunction::evaluate_batch(std::size_t count, const double* x, const dou
   formula_->evaluate_batch(count, states.y.data(), states.v.data(), values);
 }
 
-void StateFunction::evaluate_batch_with_slopes_in_v(std::size_t count, const double* x,
-                                                    const double* v, double* values,
-                                                    double* slopes) const {
+void StateFunction::evaluate_batch_with_velocity_slopes(std::size_t count, const double* x,
+                                                        const double* v, double* values,
+                                                        double* slopes) const {
   const PhysicalStates states = physical_states(count, x, v);
-  formula_->evaluate_batch_with_slopes_in_v(count, states.y.data(), states.v.data(), values,
-                                            slopes);
-  for (std::size_t k = 0; k < count; ++k) slopes[k] *= frame_.sign();
+  formula_->evaluate_batch_with_velocity_slopes(count, states.y.data(), states.v.data(), values,
+                                                slopes);
+  for (std::size_t k = 0; k < count; ++k) slopes[k] *= frame_.velocity_sign();
 }
 
 std::vector<double> StateFunction::kinks_in_x(double low, double high) const {
@@ -43,7 +43,7 @@ std::vector<double> StateFunction::kinks_in_x(double low, double high) const {
 std::vector<double> StateFunction::kinks_in_v(double low, double high) const {
   const double first = frame_.physical_velocity(low), last = frame_.physical_velocity(high);
   std::vector<double> kinks = formula_->kinks_in_v(std::min(first, last), std::max(first, last));
-  for (double& kink : kinks) kink *= frame_.sign();
+  for (double& kink : kinks) kink *= frame_.velocity_sign();
   std::ranges::sort(kinks);
   return kinks;
 }

@@ -21,21 +21,21 @@ class StateFunction {
   }
   /// Returns the value, and the derivative with respect to the displacement in wall coordinates.
   numerics::DualNumber with_slope_in_x(double x, double v) const {
-    return (*formula_)(numerics::DualNumber{frame_.physical_y(x), frame_.sign()},
+    return (*formula_)(numerics::DualNumber{frame_.physical_y(x), frame_.velocity_sign()},
                        numerics::DualNumber{frame_.physical_velocity(v), 0});
   }
   /// Returns the value, and the derivative with respect to the velocity in wall coordinates.
   numerics::DualNumber with_slope_in_v(double x, double v) const {
     return (*formula_)(numerics::DualNumber{frame_.physical_y(x), 0},
-                       numerics::DualNumber{frame_.physical_velocity(v), frame_.sign()});
+                       numerics::DualNumber{frame_.physical_velocity(v), frame_.velocity_sign()});
   }
-  /// Computes the values at `count` <= Expression::kBatch points, faster than by single
+  /// Computes the values at `count` <= Expression::kBatchPoints points, faster than by single
   /// evaluations.
   void evaluate_batch(std::size_t count, const double* x, const double* v, double* values) const;
   /// Computes the values, and the derivatives with respect to the velocity in wall coordinates, at
-  /// `count` <= Expression::kBatch points.
-  void evaluate_batch_with_slopes_in_v(std::size_t count, const double* x, const double* v,
-                                       double* values, double* slopes) const;
+  /// `count` <= Expression::kBatchPoints points.
+  void evaluate_batch_with_velocity_slopes(std::size_t count, const double* x, const double* v,
+                                           double* values, double* slopes) const;
 
   /// Returns the formula in physical coordinates.
   const Expression& formula() const { return *formula_; }
@@ -51,7 +51,7 @@ class StateFunction {
   StateFunction to_wall_coordinates(const WallFrame& frame) const;
 
  private:
-  using Batch = std::array<double, Expression::kBatch>;
+  using Batch = std::array<double, Expression::kBatchPoints>;
   struct PhysicalStates {
     Batch y{}, v{};
   };

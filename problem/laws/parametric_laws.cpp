@@ -15,7 +15,7 @@
 
 namespace fpkcheck::problem {
 
-double GaussianLaw::standardised_moment(int n) const {
+double GaussianLaw::standardised_amplitude_moment(int n) const {
   if (n % 2 != 0) return 0;
   return n == 0 ? 1 : boost::math::double_factorial<double>(static_cast<unsigned>(n - 1));
 }
@@ -28,7 +28,7 @@ double GaussianLaw::cumulative_probability(double y) const {
   return boost::math::cdf(boost::math::normal(mean, deviation), y);
 }
 
-double LaplaceLaw::standardised_moment(int n) const {
+double LaplaceLaw::standardised_amplitude_moment(int n) const {
   if (n % 2 != 0) return 0;
   return boost::math::factorial<double>(static_cast<unsigned>(n)) / std::pow(2.0, n / 2);
 }
@@ -69,7 +69,7 @@ ExponentialLaw ExponentialLaw::from_moments(double mean, double deviation,
 
 double ExponentialLaw::standard_deviation() const { return std::abs(scale); }
 
-double ExponentialLaw::standardised_moment(int n) const {
+double ExponentialLaw::standardised_amplitude_moment(int n) const {
   // The number of derangements satisfies the recursion D_n = n D_{n-1} + (-1)^n.
   double derangements = 1;
   for (int i = 1; i <= n; ++i) derangements = i * derangements + (i % 2 == 0 ? 1 : -1);
@@ -87,7 +87,7 @@ double ExponentialLaw::cumulative_probability(double y) const {
   return e > 0 ? std::exp(-e) : 1;
 }
 
-std::vector<double> ExponentialLaw::density_breakpoints() const {
+std::vector<double> ExponentialLaw::amplitude_density_breakpoints() const {
   constexpr double kTailLength = 46;
   const double start = mean - scale, end = start + kTailLength * scale;
   return scale > 0 ? std::vector{start, end} : std::vector{end, start};
@@ -98,7 +98,7 @@ namespace {
 constexpr double kDefaultSkewness = 1, kMinSkewness = 0.01, kMaxSkewness = 2;
 
 // Boost's default policy computes in long double, which takes ten times as long as double.
-// Quadrature rules evaluate the density millions of times.
+// Quadrature rules evaluate the density of the gamma law millions of times.
 using DoublePrecision = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
 // Returns the value of the gamma variable G that gives Y = y.
@@ -121,7 +121,7 @@ GammaLaw GammaLaw::from_moments(double mean, double deviation, const LawShapePar
 
 double GammaLaw::width() const { return std::copysign(deviation, skewness); }
 
-double GammaLaw::standardised_moment(int n) const {
+double GammaLaw::standardised_amplitude_moment(int n) const {
   double before = 0, moment = 1;
   for (int i = 0; i < n; ++i) {
     const double next = i * (skewness / 2 * moment + before);
@@ -144,10 +144,10 @@ double GammaLaw::cumulative_probability(double y) const {
                       : boost::math::gamma_q(gamma_shape(), g, DoublePrecision());
 }
 
-std::vector<double> GammaLaw::density_breakpoints() const {
+std::vector<double> GammaLaw::amplitude_density_breakpoints() const {
   // The probability beyond the first and beyond the last break point is 1e-20. Near the finite end
-  // of the support the density is x^(k-1) times a smooth function, which a ten-point Gauss rule
-  // integrates accurately between x and 3 x.
+  // x = 0 of the support the gamma density is x^(k-1) times a smooth function, which a ten-point
+  // Gauss rule integrates accurately between x and 3 x.
   constexpr double kBeyond = 1e-20, kFirst = 1e-9, kGrowth = 3;
   const double k = gamma_shape(), deviations = std::sqrt(k);
   const double low = boost::math::gamma_p_inv(k, kBeyond);

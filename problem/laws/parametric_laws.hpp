@@ -20,11 +20,11 @@ struct GaussianLaw {
   double standard_deviation() const { return deviation; }
 
   /// Returns E[((Y - mean) / deviation)^n]: (n-1)!! for even n and 0 for odd n.
-  double standardised_moment(int n) const;
+  double standardised_amplitude_moment(int n) const;
   double density(double y) const;
   double cumulative_probability(double y) const;
-  std::vector<AmplitudeAtom> atoms() const { return {}; }
-  std::vector<double> density_breakpoints() const {
+  std::vector<AmplitudeAtom> amplitude_atoms() const { return {}; }
+  std::vector<double> amplitude_density_breakpoints() const {
     return {mean - 9 * deviation, mean + 9 * deviation};
   }
 };
@@ -44,11 +44,11 @@ struct LaplaceLaw {
 
   /// Returns E[((Y - mean) / standard_deviation())^n], which is n! / 2^(n/2) for even n and 0 for
   /// odd n.
-  double standardised_moment(int n) const;
+  double standardised_amplitude_moment(int n) const;
   double density(double y) const;
   double cumulative_probability(double y) const;
-  std::vector<AmplitudeAtom> atoms() const { return {}; }
-  std::vector<double> density_breakpoints() const {
+  std::vector<AmplitudeAtom> amplitude_atoms() const { return {}; }
+  std::vector<double> amplitude_density_breakpoints() const {
     return {mean - 42 * scale, mean, mean + 42 * scale};
   }
 };
@@ -64,15 +64,15 @@ struct TwoPointLaw {
   double width() const { return deviation; }
   double standard_deviation() const { return deviation; }
 
-  double standardised_moment(int n) const { return n % 2 == 0 ? 1 : 0; }
+  double standardised_amplitude_moment(int n) const { return n % 2 == 0 ? 1 : 0; }
   double density(double) const { return 0; }
   double cumulative_probability(double y) const {
     return y < mean - deviation ? 0 : y < mean + deviation ? 0.5 : 1;
   }
-  std::vector<AmplitudeAtom> atoms() const {
+  std::vector<AmplitudeAtom> amplitude_atoms() const {
     return {{mean - deviation, 0.5}, {mean + deviation, 0.5}};
   }
-  std::vector<double> density_breakpoints() const { return {}; }
+  std::vector<double> amplitude_density_breakpoints() const { return {}; }
 };
 
 /// The uniform law, with constant density on (mean - half_width, mean + half_width) and variance
@@ -91,13 +91,15 @@ struct UniformLaw {
 
   /// Returns E[((Y - mean) / standard_deviation())^n], which is 3^(n/2) / (n+1) for even n and 0
   /// for odd n.
-  double standardised_moment(int n) const {
+  double standardised_amplitude_moment(int n) const {
     return n % 2 == 0 ? std::pow(3.0, n / 2) / (n + 1) : 0;
   }
   double density(double y) const;
   double cumulative_probability(double y) const;
-  std::vector<AmplitudeAtom> atoms() const { return {}; }
-  std::vector<double> density_breakpoints() const { return {mean - half_width, mean + half_width}; }
+  std::vector<AmplitudeAtom> amplitude_atoms() const { return {}; }
+  std::vector<double> amplitude_density_breakpoints() const {
+    return {mean - half_width, mean + half_width};
+  }
 };
 
 /// The shifted exponential law of Y = mean + scale (E - 1), where P(E > x) = exp(-x) for x >= 0.
@@ -119,11 +121,11 @@ struct ExponentialLaw {
 
   /// Returns E[((Y - mean) / standard_deviation())^n], the number of derangements of n objects
   /// times the sign of scale^n.
-  double standardised_moment(int n) const;
+  double standardised_amplitude_moment(int n) const;
   double density(double y) const;
   double cumulative_probability(double y) const;
-  std::vector<AmplitudeAtom> atoms() const { return {}; }
-  std::vector<double> density_breakpoints() const;
+  std::vector<AmplitudeAtom> amplitude_atoms() const { return {}; }
+  std::vector<double> amplitude_density_breakpoints() const;
   ExponentialLaw with_negated_amplitudes() const { return {-mean, -scale}; }
 };
 
@@ -149,17 +151,18 @@ struct GammaLaw {
   /// Returns the moment m_n = E[((Y - mean) / deviation)^n], computed by the recursion
   ///
   ///     m_{n+1} = n (skewness/2 m_n + m_{n-1}).
-  double standardised_moment(int n) const;
+  double standardised_amplitude_moment(int n) const;
   double density(double y) const;
   double cumulative_probability(double y) const;
-  std::vector<AmplitudeAtom> atoms() const { return {}; }
-  /// Returns break points for quadrature. The points are densest near the finite end of the
-  /// support, where the density behaves like a power of the distance from the end.
-  std::vector<double> density_breakpoints() const;
+  std::vector<AmplitudeAtom> amplitude_atoms() const { return {}; }
+  /// Returns break points for quadrature. The break points are densest near the finite end of the
+  /// support, where the gamma density behaves like a power of the distance from the end.
+  std::vector<double> amplitude_density_breakpoints() const;
   GammaLaw with_negated_amplitudes() const { return {-mean, deviation, -skewness}; }
 
   /// Returns the standardised quantile (x - k) / sqrt(k) of the gamma density, where P(G <= x) = p
-  /// and P(G > x) = q. The quantile is computed from min(p, q), to avoid cancellation.
+  /// and P(G > x) = q. The quantile is computed from the smaller of the probabilities p and q, to
+  /// avoid cancellation.
   /// @pre p + q = 1
   double standardised_quantile(double p, double q) const;
 };

@@ -72,7 +72,7 @@ TabulatedLaw TabulatedLaw::from_moments(double mean, double deviation,
         *shape.skewness));
   }
   AmplitudeTable table = parse_amplitude_table_literal(shape.table);
-  const double centre = table.mean(), width = std::sqrt(table.variance());
+  const double centre = table.amplitude_mean(), width = std::sqrt(table.amplitude_variance());
   for (double& y : table.amplitude) y = (y - centre) / width;
   if (table.kind == AmplitudeTable::WeightType::density) {
     for (double& w : table.weight) w *= width;
@@ -82,7 +82,7 @@ TabulatedLaw TabulatedLaw::from_moments(double mean, double deviation,
 
 double TabulatedLaw::standard_deviation() const { return std::abs(scale); }
 
-double TabulatedLaw::standardised_moment(int n) const {
+double TabulatedLaw::standardised_amplitude_moment(int n) const {
   if (n <= 2) return n == 1 ? 0 : 1;
   const double sign = scale < 0 && n % 2 != 0 ? -1 : 1;
   return sign * expectation_of_power(*standard, n);
@@ -105,7 +105,7 @@ double TabulatedLaw::cumulative_probability(double y) const {
                    : 1 - table_cumulative_probability(*standard, at, false);
 }
 
-std::vector<AmplitudeAtom> TabulatedLaw::atoms() const {
+std::vector<AmplitudeAtom> TabulatedLaw::amplitude_atoms() const {
   std::vector<AmplitudeAtom> atoms;
   if (!table_has_atoms(*this)) return atoms;
   for (std::size_t k = 0; k < standard->amplitude.size(); ++k) {
@@ -115,7 +115,7 @@ std::vector<AmplitudeAtom> TabulatedLaw::atoms() const {
   return atoms;
 }
 
-std::vector<double> TabulatedLaw::density_breakpoints() const {
+std::vector<double> TabulatedLaw::amplitude_density_breakpoints() const {
   std::vector<double> pieces;
   if (table_has_atoms(*this)) return pieces;
   for (const double z : standard->amplitude) pieces.push_back(mean + scale * z);

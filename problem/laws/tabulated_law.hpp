@@ -11,7 +11,7 @@ namespace fpkcheck::problem {
 struct AmplitudeTable;
 
 /// The law of Y = mean + scale Z, where Z is the amplitude of a table, standardised to mean 0 and
-/// standard deviation 1. A negative scale mirrors the law.
+/// standard deviation 1. A negative scale mirrors the amplitude law.
 struct TabulatedLaw {
   double mean;
   double scale;
@@ -27,11 +27,11 @@ struct TabulatedLaw {
   double width() const { return scale; }
   double standard_deviation() const;
 
-  double standardised_moment(int n) const;
+  double standardised_amplitude_moment(int n) const;
   double density(double y) const;
   double cumulative_probability(double y) const;
-  std::vector<AmplitudeAtom> atoms() const;
-  std::vector<double> density_breakpoints() const;
+  std::vector<AmplitudeAtom> amplitude_atoms() const;
+  std::vector<double> amplitude_density_breakpoints() const;
   /// Returns the law of the standardised amplitude Z.
   TabulatedLaw standardised() const { return {0, 1, standard}; }
   TabulatedLaw with_negated_amplitudes() const { return {-mean, -scale, standard}; }

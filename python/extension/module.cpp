@@ -53,7 +53,8 @@ py::array_t<double> to_array(const std::vector<double>& values) {
 }
 
 py::array_t<double> cells(const transform::GridDensity& density) {
-  return py::array_t<double>({density.ny(), density.nv()}, density.averages.data());
+  return py::array_t<double>({density.y_cell_count(), density.v_cell_count()},
+                             density.averages.data());
 }
 
 base::Value value_from_python(const py::handle& object, const std::string& name) {
@@ -126,11 +127,11 @@ void bind_problems(py::module_& module) {
       .def_readonly("name", &problem::Problem::name)
       .def_property_readonly("sections", sections_to_python)
       .def_property_readonly("text", [](const problem::Problem& instance) {
-        return problem::parameters_text(instance);
+        return problem::non_default_parameters_text(instance);
       });
   module.def("case_names", [] {
     std::vector<std::string> names;
-    for (const auto* cases : {&problem::paper_cases(), &problem::example_systems()}) {
+    for (const auto* cases : {&problem::paper_cases(), &problem::example_oscillator_cases()}) {
       for (const auto& named : *cases) names.push_back(named.name);
     }
     return names;
@@ -139,7 +140,7 @@ void bind_problems(py::module_& module) {
   module.def(
       "load_case",
       [](const std::string& name_or_path, const std::vector<std::string>& settings) {
-        return problem::load_case(name_or_path, settings, problem::CaseNaming::with_overrides);
+        return problem::load_case(name_or_path, settings, problem::CaseNamingRule::with_overrides);
       },
       py::arg("name_or_path"), py::arg("settings"));
   module.def("problem_of", problem_of, py::arg("name"), py::arg("settings"));
@@ -200,14 +201,14 @@ void bind_methods(py::module_& module) {
   py::class_<methods::Method>(module, "Method").def_property_readonly("id", &methods::Method::id);
   module.def("method_families", [] {
     std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> all;
-    for (const auto* family : registry().families_by_trust()) {
+    for (const auto* family : registry().method_families_by_trust()) {
       all.emplace_back(family->name, family->meaning, family->default_ids);
     }
     return all;
   });
   module.def("options_of", [](const std::string& list) {
     py::dict all;
-    for (const auto& method : select_methods(registry(), list, {})) {
+    for (const auto& method : methods_selected_by_list(registry(), list, {})) {
       py::dict options;
       for (const auto& [name, value] : method.options) options[py::str(name)] = to_python(value);
       all[py::str(method.id())] = options;
@@ -224,10 +225,10 @@ void bind_methods(py::module_& module) {
   module.def("samples_method", samples_method, py::arg("y"), py::arg("v"), py::arg("label"),
              py::arg("equation"), py::arg("impact"), py::arg("order"), py::arg("independent"),
              py::arg("place"));
-  module.def("file_methods",
-             [](const std::vector<std::string>& arguments, const std::string& case_name) {
-               return methods::read_external_methods(arguments, registry(), case_name);
-             });
+  module.def(
+      "file_methods", [](const std::vector<std::string>& arguments, const std::string& case_name) {
+        return methods::external_density_methods_from_files(arguments, registry(), case_name);
+      });
 }
 
 // -- runs
@@ -252,7 +253,8 @@ RunPointer solve_task(const std::vector<problem::Problem>& problems,
   RunRequest task{problems, {}, threads, bounds, command};
   auto settings = values_from_python(options);
   if (threads > 0) settings.push_back({"threads", std::int64_t{threads}});
-  task.methods = select_methods(registry(), methods_list.value_or(default_methods()), settings);
+  task.methods =
+      methods_selected_by_list(registry(), methods_list.value_or(default_methods()), settings);
   auto external_methods = against;
   methods::group_into_families(external_methods);
   for (const auto& external : external_methods) {

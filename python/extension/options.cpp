@@ -78,10 +78,11 @@ methods::Method replace_options(const methods::SolverRegistry& registry,
 
 }  // namespace
 
-std::vector<methods::Method> select_methods(const methods::SolverRegistry& registry,
-                                            const std::string& list, const Values& options) {
+std::vector<methods::Method> methods_selected_by_list(const methods::SolverRegistry& registry,
+                                                      const std::string& list,
+                                                      const Values& options) {
   for (const auto& option : options) require_known(registry, option.name);
-  auto methods = registry.select_methods(list, {});
+  auto methods = registry.methods_selected_by_list(list, {});
   for (auto& method : methods) method = replace_options(registry, method, options);
   return methods;
 }

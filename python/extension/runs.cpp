@@ -195,7 +195,7 @@ std::vector<std::string> write_files_locked(const std::filesystem::path& directo
                                             const results::Run& run) {
   const std::lock_guard lock(files_mutex());
   silence_hdf5_in_this_thread();
-  const base::ExitBlocker write_guard;
+  const base::ProcessExitBlocker write_guard;
   const auto directory_lock = results::prepare_output_directory(directory);
   return report::write_report(directory, run);
 }
@@ -221,7 +221,7 @@ results::Run load(const std::filesystem::path& directory) {
   const std::lock_guard lock(files_mutex());
   silence_hdf5_in_this_thread();
   auto run = results::load_run(directory);
-  methods::builtin_registry().complete_solution_identities(run);
+  methods::builtin_registry().set_missing_identity_fields_of_run(run);
   return run;
 }
 

@@ -28,41 +28,43 @@ constexpr double kGroupWidth = 0.8;
 constexpr double kSmallestFraction = 1e-4;
 
 /// The kind of distance of a panel: the L1 distance, or the mean logarithmic ratio in the tail.
-struct DistanceKind {
+struct BudgetDistanceKind {
   const char* title;  ///< second part of the title of the panel
   const char* label;
   double ErrorBudgetRow::*total;
   double ErrorBudgetPart::*part;
 };
-constexpr DistanceKind kL1{"", "{/:Italic L}_1 distance", &ErrorBudgetRow::total,
-                           &ErrorBudgetPart::l1};
-constexpr DistanceKind kTail{", tail: 10^{−5} ≤ {/:Italic p} < 10^{−3}", "mean |log_{10} ratio|",
-                             &ErrorBudgetRow::total_tail, &ErrorBudgetPart::tail};
+constexpr BudgetDistanceKind kL1{"", "{/:Italic L}_1 distance", &ErrorBudgetRow::total,
+                                 &ErrorBudgetPart::l1};
+constexpr BudgetDistanceKind kTail{", tail: 10^{−5} ≤ {/:Italic p} < 10^{−3}",
+                                   "mean |log_{10} ratio|", &ErrorBudgetRow::total_tail,
+                                   &ErrorBudgetPart::tail};
 
 // The colours of Okabe and Ito are distinct for colour-blind readers; hatching distinguishes
 // colours that are equal in grey print.
-struct BarStyle {
-  compare::Approximation approximation;
+struct BudgetBarStyle {
+  compare::ModelApproximation approximation;
   const char* colour;
   const char* hatch;
 };
-constexpr BarStyle kBarStyles[] = {{compare::Approximation::closure, "#D55E00", ""},
-                                   {compare::Approximation::impact, "#E69F00", "/"},
-                                   {compare::Approximation::truncation, "#0072B2", ""},
-                                   {compare::Approximation::white_noise, "#009E73", "|"},
-                                   {compare::Approximation::discretisation, "#56B4E9", "\\"},
-                                   {compare::Approximation::sampling, "#CC79A7", "x"}};
+constexpr BudgetBarStyle kBarStyles[] = {
+    {compare::ModelApproximation::closure, "#D55E00", ""},
+    {compare::ModelApproximation::impact, "#E69F00", "/"},
+    {compare::ModelApproximation::truncation, "#0072B2", ""},
+    {compare::ModelApproximation::white_noise, "#009E73", "|"},
+    {compare::ModelApproximation::discretisation, "#56B4E9", "\\"},
+    {compare::ModelApproximation::sampling, "#CC79A7", "x"}};
 static_assert(std::size(kBarStyles) == std::size(compare::kApproximationNames));
 
-// Returns the series of a part of the error budget, without points. A part that combines the errors
-// of several approximations is grey.
+// Returns the series of a part of the error budget, without points. A part of the error budget that
+// combines the errors of several approximations is grey.
 FigureSeries budget_part_series(const std::string& part) {
   FigureSeries series{
       .name = part, .group = "part " + part, .colour = "#999999", .is_bars = true, .hatch = "."};
   const auto approximations = compare::parse_approximations(part);
   if (approximations.size() > 1) return series;
   const auto* const style =
-      std::ranges::find(kBarStyles, approximations.front(), &BarStyle::approximation);
+      std::ranges::find(kBarStyles, approximations.front(), &BudgetBarStyle::approximation);
   series.colour = style->colour;
   series.hatch = style->hatch;
   return series;
@@ -95,7 +97,7 @@ FigureAxis closure_axis(const std::vector<ClosureErrorBudget>& budgets) {
 // Adds the bars of one closure, side by side with equal widths, and the line at the total distance
 // of the closure. Values that are not positive are omitted, since the axis is logarithmic.
 void add_closure_bars(std::vector<FigureSeries>& all, const ErrorBudgetRow& row, double centre,
-                      bool is_open, const DistanceKind& distance) {
+                      bool is_open, const BudgetDistanceKind& distance) {
   const double width = kGroupWidth / static_cast<double>(row.parts.size());
   double left = centre - kGroupWidth / 2;
   for (const auto& part : row.parts) {
@@ -110,7 +112,7 @@ void add_closure_bars(std::vector<FigureSeries>& all, const ErrorBudgetRow& row,
         bar.lower = value - *part.uncertainty;
         bar.upper = value + *part.uncertainty;
       }
-      std::ranges::find(all, part.name(), &FigureSeries::name)->points.push_back(bar);
+      std::ranges::find(all, part.part_name(), &FigureSeries::name)->points.push_back(bar);
     }
     left += width;
   }
@@ -125,7 +127,7 @@ void add_closure_bars(std::vector<FigureSeries>& all, const ErrorBudgetRow& row,
 }
 
 FigurePanel budget_panel(const std::vector<ClosureErrorBudget>& budgets, StateVariable variable,
-                         const DistanceKind& distance) {
+                         const BudgetDistanceKind& distance) {
   FigurePanel panel{
       .title = std::string(base::meaning_of(variable)) +
                (distance.part == kL1.part ? ' ' + density_in_enhanced_text(variable) : "") +
@@ -144,7 +146,7 @@ FigurePanel budget_panel(const std::vector<ClosureErrorBudget>& budgets, StateVa
   for (std::size_t k = 0; k < budgets.size(); ++k) {
     const bool is_open = budgets[k].status != Status::ok;
     any_open = any_open || is_open;
-    if (const ErrorBudgetRow* row = budgets[k].row(variable)) {
+    if (const ErrorBudgetRow* row = budgets[k].budget_row_of(variable)) {
       add_closure_bars(panel.series, *row, static_cast<double>(k + 1), is_open, distance);
     }
   }

@@ -13,10 +13,10 @@
 namespace fpkcheck::report {
 namespace {
 
-using compare::Approximation;
 using compare::ClosureErrorBudget;
 using compare::ErrorBudgetPart;
 using compare::ErrorBudgetRow;
+using compare::ModelApproximation;
 using transform::StateVariable;
 
 constexpr int kTailImportance = 1, kLastPartImportance = 2;
@@ -30,13 +30,13 @@ std::string tail_distance_cell(double tail) {
 }
 
 const ErrorBudgetPart* find_part(const ErrorBudgetRow* row, const std::string& name) {
-  return row == nullptr ? nullptr : row->find(name);
+  return row == nullptr ? nullptr : row->find_budget_part(name);
 }
 
 bool is_common_to_closures(const std::vector<ClosureErrorBudget>& budgets,
                            const std::string& name) {
   return std::ranges::any_of(budgets, [&](const ClosureErrorBudget& budget) {
-    const ErrorBudgetPart* part = find_part(budget.rows().front(), name);
+    const ErrorBudgetPart* part = find_part(budget.existing_budget_rows().front(), name);
     return part != nullptr && part->is_reference_error();
   });
 }
@@ -51,20 +51,20 @@ class BudgetTableColumns {
 
   std::string symbol() const { return variable_ == StateVariable::y ? "p(y)" : "p(y')"; }
 
-  TextColumn total() const {
+  TextTableColumn total() const {
     return with_rows_below({"L1 of " + symbol(), "total", false, kAlwaysShown}, l1_or_missing_cell,
                            &ErrorBudgetRow::total, &ErrorBudgetPart::l1);
   }
 
-  TextColumn tail() const {
+  TextTableColumn tail() const {
     return with_rows_below({"tail", symbol(), false, kTailImportance}, tail_distance_cell,
                            &ErrorBudgetRow::total_tail, &ErrorBudgetPart::tail);
   }
 
-  TextColumn part(const std::string& name, int importance) const {
-    TextColumn column{"L1 of " + symbol(), budget_part_header(name), false, importance};
+  TextTableColumn part(const std::string& name, int importance) const {
+    TextTableColumn column{"L1 of " + symbol(), budget_part_header(name), false, importance};
     for (const auto& budget : budgets_) {
-      const ErrorBudgetPart* part = find_part(budget.row(variable_), name);
+      const ErrorBudgetPart* part = find_part(budget.budget_row_of(variable_), name);
       column.cells.push_back(part ? l1_or_missing_cell(part->l1) : kMissingCell);
     }
     column.cells.resize(column.cells.size() + below_.size(), kMissingCell);
@@ -72,17 +72,17 @@ class BudgetTableColumns {
   }
 
  private:
-  TextColumn with_rows_below(TextColumn column, std::string (*cell)(double),
-                             double ErrorBudgetRow::*of_row,
-                             double ErrorBudgetPart::*of_part) const {
+  TextTableColumn with_rows_below(TextTableColumn column, std::string (*cell)(double),
+                                  double ErrorBudgetRow::*of_row,
+                                  double ErrorBudgetPart::*of_part) const {
     for (const auto& budget : budgets_) {
-      const ErrorBudgetRow* row = budget.row(variable_);
+      const ErrorBudgetRow* row = budget.budget_row_of(variable_);
       column.cells.push_back(row ? cell(row->*of_row) : kMissingCell);
     }
     for (const auto& name : below_) {
       const ErrorBudgetPart* part = nullptr;
       for (auto budget = budgets_.begin(); part == nullptr && budget != budgets_.end(); ++budget) {
-        part = find_part(budget->row(variable_), name);
+        part = find_part(budget->budget_row_of(variable_), name);
       }
       column.cells.push_back(part ? cell(part->*of_part) : kMissingCell);
     }
@@ -94,9 +94,9 @@ class BudgetTableColumns {
   StateVariable variable_;
 };
 
-TextColumn closure_and_part_names(const std::vector<ClosureErrorBudget>& budgets,
-                                  const std::vector<std::string>& below) {
-  TextColumn column{"", "error budget", true, kAlwaysShown};
+TextTableColumn closure_and_part_names(const std::vector<ClosureErrorBudget>& budgets,
+                                       const std::vector<std::string>& below) {
+  TextTableColumn column{"", "error budget", true, kAlwaysShown};
   for (const auto& budget : budgets) {
     column.cells.push_back(budget.solution + (budget.status == transform::Status::ok ? "" : "*"));
   }
@@ -107,20 +107,20 @@ TextColumn closure_and_part_names(const std::vector<ClosureErrorBudget>& budgets
 }  // namespace
 
 std::string budget_part_header(const std::string& part) {
-  if (part == name(Approximation::truncation)) return "trunc.";
-  if (part == name(Approximation::white_noise)) return "white";
+  if (part == name(ModelApproximation::truncation)) return "trunc.";
+  if (part == name(ModelApproximation::white_noise)) return "white";
   return part;
 }
 
-std::vector<TextColumn> displayed_budget_columns(const results::CaseResult& case_result,
-                                                 const TextFormat& format) {
+std::vector<TextTableColumn> displayed_budget_columns(const results::CaseResult& case_result,
+                                                      const TerminalTextFormat& format) {
   const auto budgets = compare::group_budget_by_closure(case_result.budget, case_result.solutions);
   if (budgets.empty()) return {};
   std::vector<std::string> beside, below;
   for (const auto& name : compare::budget_part_names(budgets)) {
     (is_common_to_closures(budgets, name) ? below : beside).push_back(name);
   }
-  std::vector<TextColumn> all{closure_and_part_names(budgets, below)}, tails;
+  std::vector<TextTableColumn> all{closure_and_part_names(budgets, below)}, tails;
   for (const auto variable : transform::kVariables) {
     const BudgetTableColumns columns(budgets, below, variable);
     all.push_back(columns.total());
@@ -132,7 +132,8 @@ std::vector<TextColumn> displayed_budget_columns(const results::CaseResult& case
   return select_columns_to_fit(std::move(all), format);
 }
 
-std::string budget_table_text(const results::CaseResult& case_result, const TextFormat& format) {
+std::string budget_table_text(const results::CaseResult& case_result,
+                              const TerminalTextFormat& format) {
   const auto columns = displayed_budget_columns(case_result, format);
   if (columns.empty()) return "";
   const std::string text = format_text_table(columns, format);

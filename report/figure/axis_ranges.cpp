@@ -9,7 +9,7 @@
 namespace fpkcheck::report {
 namespace {
 
-struct DensityExtent {
+struct DensityAxisExtent {
   double from = 0, to = 0;
   bool empty = true;
 
@@ -24,8 +24,8 @@ constexpr double kVisibleFraction = 1.0 / 500;
 
 // Extends the axis ranges by half a bin to the wall y = 0, and to each end of the bins at which the
 // density has not decayed.
-void include_ends_of_bins(const results::DensityCurve& curve, double peak, DensityExtent& linear,
-                          DensityExtent& logarithmic) {
+void include_ends_of_bins(const results::DensityCurve& curve, double peak,
+                          DensityAxisExtent& linear, DensityAxisExtent& logarithmic) {
   const auto widths = results::bin_widths(curve);
   if (widths.empty()) return;
   const double low = curve.abscissa.front() - widths.front() / 2;
@@ -33,7 +33,7 @@ void include_ends_of_bins(const results::DensityCurve& curve, double peak, Densi
   const bool at_zero = std::abs(low) < widths.front() / 100;
   constexpr double kNotDecayed = 1.0 / 20;
   const auto is_visible = [&](double density) { return density > kNotDecayed * peak; };
-  for (DensityExtent* extent : {&linear, &logarithmic}) {
+  for (DensityAxisExtent* extent : {&linear, &logarithmic}) {
     if (at_zero) {
       extent->include(0);
     } else if (is_visible(curve.density.front())) {
@@ -72,7 +72,7 @@ std::string spike_note(const MarginalAxisRanges& ranges) {
 }
 
 MarginalAxisRanges density_axis_ranges(std::span<const DrawnCurve> curves) {
-  DensityExtent linear, logarithmic;
+  DensityAxisExtent linear, logarithmic;
   double linear_top = 0, largest_density = 0, largest_difference = 0;
   double least_difference = std::numeric_limits<double>::infinity(),
          least_density = least_difference;

@@ -53,7 +53,8 @@ Figure error_source_page_figure(const results::CaseResult& case_result);
 Figure budget_figure(const results::CaseResult& case_result,
                      FigureWidth width = FigureWidth::screen);
 
-/// Removes the pictures and gnuplot scripts that draw_pictures_of_cases() wrote for the cases of a run.
+/// Removes the pictures and gnuplot scripts that draw_pictures_of_cases() wrote for the cases of a
+/// run.
 void remove_pictures_of_cases(const std::filesystem::path& directory, const results::Run& run);
 
 /// Draws the pictures of every case. The directory DIRECTORY/figures receives the gnuplot script
@@ -68,6 +69,6 @@ void remove_pictures_of_cases(const std::filesystem::path& directory, const resu
 std::vector<std::string> draw_pictures_of_cases(
     const std::filesystem::path& directory, const results::Run& run,
     const FigureOptions& options = {}, const std::string& gnuplot = "gnuplot",
-    const std::vector<PictureScript>& additional_pictures = {});
+    const std::vector<PictureGnuplotScript>& additional_pictures = {});
 
 }  // namespace fpkcheck::report

@@ -23,23 +23,23 @@ using transform::StateVariable;
 /// A horizontal line of the convergence plot that shows the uncertainty of the reference: the L1
 /// distance between the reference and another solution of the full problem, or the error estimate
 /// of the reference.
-struct UncertaintyLine {
+struct ReferenceUncertaintyLine {
   std::string name;
   double l1;
   const char* dash;  ///< dash type of gnuplot
 };
 
 /// L1 distances of one marginal density from the reference of a case, grouped by solution family
-/// and sorted by closure order. The members point to solutions of the case with a positive
-/// distance.
-struct ConvergenceOverOrder {
+/// and sorted by closure order. The pointers to members of a family point to solutions of the case
+/// with a positive distance from the reference.
+struct ClosureDistancesByOrder {
   const results::CaseResult* case_result;
   const transform::Solution* reference;
   transform::StateVariable variable;
   std::vector<SolutionFamily> families;  ///< members sorted by order
   /// External densities outside these families.
   std::vector<const transform::Solution*> external_densities;
-  std::vector<UncertaintyLine> uncertainty_lines;
+  std::vector<ReferenceUncertaintyLine> uncertainty_lines;
 
   double l1(const transform::Solution& solution) const;
   /// Returns the lowest and the highest closure order n.
@@ -48,11 +48,11 @@ struct ConvergenceOverOrder {
 
 int closure_order_of(const Solution* solution) { return *solution->identity.order; }
 
-double ConvergenceOverOrder::l1(const Solution& solution) const {
+double ClosureDistancesByOrder::l1(const Solution& solution) const {
   return case_result->l1_distance(solution.id(), reference->id(), variable).value_or(0);
 }
 
-std::pair<int, int> ConvergenceOverOrder::order_range() const {
+std::pair<int, int> ClosureDistancesByOrder::order_range() const {
   int first = closure_order_of(families.front().solutions.front()), last = first;
   const auto include = [&](const Solution* solution) {
     first = std::min(first, closure_order_of(solution));
@@ -65,8 +65,9 @@ std::pair<int, int> ConvergenceOverOrder::order_range() const {
   return {first, last};
 }
 
-std::vector<UncertaintyLine> make_uncertainty_lines(const ConvergenceOverOrder& distances) {
-  std::vector<UncertaintyLine> all;
+std::vector<ReferenceUncertaintyLine> make_uncertainty_lines(
+    const ClosureDistancesByOrder& distances) {
+  std::vector<ReferenceUncertaintyLine> all;
   for (const Solution* other : solutions_of_full_problem(*distances.case_result)) {
     const double l1 = distances.l1(*other);
     if (l1 > 0)
@@ -83,16 +84,16 @@ std::vector<UncertaintyLine> make_uncertainty_lines(const ConvergenceOverOrder& 
 
 /// Returns the L1 distances of one marginal density, by family of closures and closure order.
 /// @return nothing if the case has no reference, or no family of closures with at least two orders
-std::optional<ConvergenceOverOrder> convergence_over_order(const results::CaseResult& case_result,
-                                                           transform::StateVariable variable) {
-  const Solution* reference = case_result.reference();
+std::optional<ClosureDistancesByOrder> convergence_over_order(
+    const results::CaseResult& case_result, transform::StateVariable variable) {
+  const Solution* reference = case_result.reference_solution();
   if (reference == nullptr) return std::nullopt;
-  ConvergenceOverOrder distances{.case_result = &case_result,
-                                 .reference = reference,
-                                 .variable = variable,
-                                 .families = {},
-                                 .external_densities = {},
-                                 .uncertainty_lines = {}};
+  ClosureDistancesByOrder distances{.case_result = &case_result,
+                                    .reference = reference,
+                                    .variable = variable,
+                                    .families = {},
+                                    .external_densities = {},
+                                    .uncertainty_lines = {}};
   std::vector<const Solution*> by_order;
   for (const auto& solution : case_result.solutions) {
     if (!(distances.l1(solution) > 0)) continue;
@@ -125,8 +126,8 @@ FigureAxis distance_from_reference_axis(StateVariable variable, const Solution& 
 }
 
 std::string name_with_status(const Solution& solution) {
-  return solution.is_ok() ? solution.id()
-                          : fmt::format("{} ({})", solution.id(), name(solution.status));
+  return solution.has_status_ok() ? solution.id()
+                                  : fmt::format("{} ({})", solution.id(), name(solution.status));
 }
 
 /// Makes the series of a family, without points. The plot style of the series is the style of the
@@ -139,7 +140,7 @@ FigureSeries family_series(const SolutionFamily& family) {
           .symbol = style.symbol};
 }
 
-std::vector<FigureSeries> convergence_series(const ConvergenceOverOrder& distances,
+std::vector<FigureSeries> convergence_series(const ClosureDistancesByOrder& distances,
                                              const FigureAxis& x) {
   std::vector<FigureSeries> all;
   for (const auto& family : distances.families) {
@@ -148,7 +149,7 @@ std::vector<FigureSeries> convergence_series(const ConvergenceOverOrder& distanc
     for (const Solution* member : family.solutions) {
       series.points.push_back({.x = static_cast<double>(*member->identity.order),
                                .y = distances.l1(*member),
-                               .open = !member->is_ok(),
+                               .open = !member->has_status_ok(),
                                .name = name_with_status(*member)});
     }
     all.push_back(series);
@@ -164,7 +165,7 @@ std::vector<FigureSeries> convergence_series(const ConvergenceOverOrder& distanc
       series.mark_size = 1.6;
       series.points = {{.x = static_cast<double>(*identity.order),
                         .y = l1,
-                        .open = !external_density->is_ok(),
+                        .open = !external_density->has_status_ok(),
                         .name = series.name}};
     } else {
       series.dash = "(20,6)";
@@ -198,9 +199,9 @@ std::vector<FigureSeries> cost_series(const results::CaseResult& case_result,
     for (const Solution* member : family.solutions) {
       series.points.push_back({.x = member->seconds,
                                .y = l1(*member),
-                               .open = !member->is_ok(),
+                               .open = !member->has_status_ok(),
                                .name = name_with_status(*member),
-                               .label = transform::short_name_in_family(member->identity),
+                               .label = transform::solution_name_within_family(member->identity),
                                .colour = member->identity.plot_style.colour});
     }
     all.push_back(series);
@@ -232,7 +233,7 @@ Figure convergence_figure(const results::CaseResult& case_result) {
 
 Figure computing_time_figure(const results::CaseResult& case_result) {
   Figure figure{.title = problem_title_parts(case_result.problem)};
-  const Solution* reference = case_result.reference();
+  const Solution* reference = case_result.reference_solution();
   if (reference == nullptr) return figure;
   for (const StateVariable variable : transform::kVariables) {
     const auto series = cost_series(case_result, *reference, variable);

@@ -47,7 +47,8 @@ std::vector<const transform::Solution*> solutions_by_priority(
   }
   for (auto solution = case_result.solutions.rbegin(); solution != case_result.solutions.rend();
        ++solution) {
-    if (solution->identity.role != SolutionRole::closure && solution->is_ok()) add(*solution);
+    if (solution->identity.role != SolutionRole::closure && solution->has_status_ok())
+      add(*solution);
   }
   for (const auto* closure : closures) add(*closure);
   for (auto solution = case_result.solutions.rbegin(); solution != case_result.solutions.rend();

@@ -28,7 +28,7 @@ const DensityCurve* reference_curve_over_smooth_bins(const CaseResult& case_resu
 // Returns the id of the reference of a case. The id is empty if the case has no reference, or if
 // the reference lacks the curve of a marginal density.
 std::string reference_id(const CaseResult& case_result) {
-  const auto* reference = case_result.reference();
+  const auto* reference = case_result.reference_solution();
   if (reference == nullptr) return "";
   const bool is_complete = std::ranges::all_of(transform::kVariables, [&](StateVariable variable) {
     return case_result.marginal_curve(reference->id(), variable) != nullptr;
@@ -36,9 +36,11 @@ std::string reference_id(const CaseResult& case_result) {
   return is_complete ? reference->id() : "";
 }
 
-CurveDifference subtract_reference(const DensityCurve& curve, const DensityCurve* reference) {
+CurveDifferenceFromReference subtract_reference(const DensityCurve& curve,
+                                                const DensityCurve* reference) {
   if (reference == nullptr || curve.abscissa != reference->abscissa) return {};
-  CurveDifference result{.abscissa = curve.abscissa, .values = {}, .lower = {}, .upper = {}};
+  CurveDifferenceFromReference result{
+      .abscissa = curve.abscissa, .values = {}, .lower = {}, .upper = {}};
   for (std::size_t k = 0; k < curve.density.size(); ++k) {
     const double subtracted = reference->density[k];
     result.values.push_back(curve.density[k] - subtracted);
@@ -49,10 +51,11 @@ CurveDifference subtract_reference(const DensityCurve& curve, const DensityCurve
   return result;
 }
 
-CurveDifference absolute_smooth_bin_differences(const DensityCurve* curve,
-                                                const DensityCurve& reference) {
+CurveDifferenceFromReference absolute_smooth_bin_differences(const DensityCurve* curve,
+                                                             const DensityCurve& reference) {
   if (curve == nullptr || curve->abscissa != reference.abscissa) return {};
-  CurveDifference result{.abscissa = reference.abscissa, .values = {}, .lower = {}, .upper = {}};
+  CurveDifferenceFromReference result{
+      .abscissa = reference.abscissa, .values = {}, .lower = {}, .upper = {}};
   for (std::size_t k = 0; k < reference.density.size(); ++k) {
     const double half_width = (reference.upper[k] - reference.lower[k]) / 2;
     result.values.push_back(
@@ -69,7 +72,7 @@ MarginalAxisRanges axis_ranges_of_differences(std::span<const DrawnCurve> curves
                                               bool logarithmic) {
   std::vector<DrawnCurve> compared_curves;
   std::ranges::copy_if(curves, std::back_inserter(compared_curves), [&](const auto& drawn) {
-    return logarithmic || drawn.solution->is_ok() ||
+    return logarithmic || drawn.solution->has_status_ok() ||
            drawn.solution->status == transform::Status::inaccurate;
   });
   return compared_curves.empty() ? density_axis_ranges(curves)
@@ -100,7 +103,7 @@ MarginalCurves marginal_curves(const CaseResult& case_result, StateVariable vari
 
   std::vector<DrawnCurve> ok_curves;
   std::ranges::copy_if(marginal.curves, std::back_inserter(ok_curves),
-                       [](const auto& drawn) { return drawn.solution->is_ok(); });
+                       [](const auto& drawn) { return drawn.solution->has_status_ok(); });
   marginal.ranges = density_axis_ranges(ok_curves.empty() ? marginal.curves : ok_curves);
   std::vector<DrawnCurve> visible_curves;
   std::ranges::copy_if(marginal.curves, std::back_inserter(visible_curves),

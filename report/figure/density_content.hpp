@@ -32,7 +32,7 @@ struct MarginalAxisRanges {
 /// The difference between a curve and the curve of the reference. Over smooth bins the values are
 /// absolute differences. For the reference the values are the half-widths of its 95 % confidence
 /// intervals, below which differences are not significant.
-struct CurveDifference {
+struct CurveDifferenceFromReference {
   std::vector<double> abscissa, values;
   std::vector<double> lower, upper;  ///< ends of 95 % confidence intervals; may be empty
 
@@ -43,9 +43,9 @@ struct CurveDifference {
 struct DrawnCurve {
   const transform::Solution* solution;
   const results::DensityCurve* curve;
-  CurveDifference difference;  ///< difference from the reference; may be empty
-  std::size_t rank = 0;        ///< position of the solution in the tables
-  bool is_hidden = false;      ///< whether the page initially hides the curve
+  CurveDifferenceFromReference difference;  ///< difference from the reference; may be empty
+  std::size_t rank = 0;                     ///< position of the solution in the tables
+  bool is_hidden = false;                   ///< whether the page initially hides the curve
 
   /// Returns, for each bin, whether the bin has the regular width. Narrower bins resolve a spike of
   /// the density (compare::comparison_axes), whose large values would compress all other values on
@@ -92,7 +92,7 @@ struct DensityFigureContent {
   /// Id of the reference, which is subtracted from all other solutions; empty without a reference.
   std::string reference;
   /// Whether the figure shows differences between averages over smooth bins (B-spline weights).
-  /// These differences have small errors and are shown on a logarithmic axis.
+  /// Differences over smooth bins have small errors and are shown on a logarithmic axis.
   bool smooth_differences = false;
   /// Lower end of the logarithmic density axes, unless all densities are larger.
   double smallest_density = kSmallestDrawnDensity;

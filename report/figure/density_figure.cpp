@@ -19,54 +19,55 @@ using transform::StateVariable;
 /// The kind of a panel of one marginal density: the density on a linear or on a logarithmic axis,
 /// the difference from the reference, or the absolute difference from the reference over smooth
 /// bins.
-enum class PanelKind { linear, logarithmic, difference, smooth_difference };
+enum class DensityPanelKind { linear, logarithmic, difference, smooth_difference };
 
-bool shows_differences(PanelKind kind) {
-  return kind == PanelKind::difference || kind == PanelKind::smooth_difference;
+bool shows_differences(DensityPanelKind kind) {
+  return kind == DensityPanelKind::difference || kind == DensityPanelKind::smooth_difference;
 }
 
-std::string panel_title(PanelKind kind, StateVariable variable, const std::string& reference,
+std::string panel_title(DensityPanelKind kind, StateVariable variable, const std::string& reference,
                         bool is_short) {
   const std::string name(base::meaning_of(variable));
   const auto with_variable_name = [&](const std::string& what) {
     return is_short ? what : name + ", " + what;
   };
   switch (kind) {
-    case PanelKind::linear:
+    case DensityPanelKind::linear:
       return name;
-    case PanelKind::logarithmic:
+    case DensityPanelKind::logarithmic:
       return is_short ? name : with_variable_name("logarithmic");
-    case PanelKind::difference:
+    case DensityPanelKind::difference:
       return with_variable_name("difference from " + reference);
-    case PanelKind::smooth_difference:
+    case DensityPanelKind::smooth_difference:
       return with_variable_name("|difference from " + reference + "|");
   }
   return "";
 }
 
-FigureAxis abscissa_axis(PanelKind kind, const MarginalCurves& marginal) {
+FigureAxis abscissa_axis(DensityPanelKind kind, const MarginalCurves& marginal) {
   const MarginalAxisRanges& r = marginal.ranges;
-  const bool is_logarithmic = kind == PanelKind::logarithmic;
+  const bool is_logarithmic = kind == DensityPanelKind::logarithmic;
   const double from = is_logarithmic ? r.logarithmic_from : r.linear_from,
                to = is_logarithmic ? r.logarithmic_to : r.linear_to;
   return {marginal.variable == StateVariable::y ? "{/:Italic y}" : "{/:Italic y}'", from, to, false,
           choose_tic_step(from, to)};
 }
 
-FigureAxis ordinate_axis(PanelKind kind, const MarginalCurves& marginal, double smallest_density) {
+FigureAxis ordinate_axis(DensityPanelKind kind, const MarginalCurves& marginal,
+                         double smallest_density) {
   const MarginalAxisRanges& r = marginal.ranges;
   const std::string density = density_in_enhanced_text(marginal.variable);
   switch (kind) {
-    case PanelKind::linear:
+    case DensityPanelKind::linear:
       return {density, 0, 1.08 * r.linear_top};
-    case PanelKind::logarithmic:
+    case DensityPanelKind::logarithmic:
       return {density, logarithmic_axis_bottom(r, smallest_density), logarithmic_axis_top(r), true};
-    case PanelKind::difference: {
+    case DensityPanelKind::difference: {
       // If all differences from the reference are 0, the axis range is arbitrary.
       const double half = r.largest_difference > 0 ? 1.1 * r.largest_difference : 1;
       return {"Δ" + density, -half, half};
     }
-    case PanelKind::smooth_difference: {
+    case DensityPanelKind::smooth_difference: {
       const auto [least, most] = difference_axis_decades(r);
       return {"|Δ" + density + "|", least, most, true};
     }
@@ -93,21 +94,22 @@ bool curve_has_marks(const transform::SolutionIdentity& identity) {
 
 // Returns the series of a curve. The series has no points if the panel shows differences and the
 // curve has no differences.
-FigureSeries curve_series(const DrawnCurve& drawn, PanelKind kind, const std::string& reference) {
+FigureSeries curve_series(const DrawnCurve& drawn, DensityPanelKind kind,
+                          const std::string& reference) {
   const bool of_differences = shows_differences(kind);
-  const CurveDifference& difference = drawn.difference;
+  const CurveDifferenceFromReference& difference = drawn.difference;
   const auto& places = of_differences ? difference.abscissa : drawn.curve->abscissa;
   const auto& values = of_differences ? difference.values : drawn.curve->density;
   const auto& lower = of_differences ? difference.lower : drawn.curve->lower;
   const auto& upper = of_differences ? difference.upper : drawn.curve->upper;
   const auto& plot_style = drawn.plot_style();
   const std::string& id = drawn.solution->id();
-  const bool is_ok = drawn.solution->is_ok();
+  const bool has_status_ok = drawn.solution->has_status_ok();
   FigureSeries series = make_empty_series(
-      is_ok ? id : fmt::format("{} ({})", id, name(drawn.solution->status)), plot_style);
+      has_status_ok ? id : fmt::format("{} ({})", id, name(drawn.solution->status)), plot_style);
   series.line_width = plot_style.width;
   series.note = atom_and_interval_note(drawn);
-  if (kind == PanelKind::smooth_difference && id == reference) {
+  if (kind == DensityPanelKind::smooth_difference && id == reference) {
     // The differences of the reference are the half-widths of its confidence intervals.
     series = {.name = fmt::format("half-width of the interval of {}", reference),
               .colour = "#444444",
@@ -129,7 +131,7 @@ FigureSeries curve_series(const DrawnCurve& drawn, PanelKind kind, const std::st
   series.is_hidden = drawn.is_hidden;
   const bool with_interval = plot_style.as_points && !lower.empty() && !upper.empty();
   for (std::size_t k = 0; k < places.size(); ++k) {
-    series.points.push_back({.x = places[k], .y = values[k], .open = !is_ok});
+    series.points.push_back({.x = places[k], .y = values[k], .open = !has_status_ok});
     if (!with_interval) continue;
     series.points.back().lower = lower[k];
     series.points.back().upper = upper[k];
@@ -137,13 +139,13 @@ FigureSeries curve_series(const DrawnCurve& drawn, PanelKind kind, const std::st
   return series;
 }
 
-FigurePanel density_panel(PanelKind kind, const MarginalCurves& marginal,
+FigurePanel density_panel(DensityPanelKind kind, const MarginalCurves& marginal,
                           const DensityFigureContent& content, bool short_title) {
   FigurePanel result{.title = escape_enhanced_text(
                          panel_title(kind, marginal.variable, content.reference, short_title)),
                      .x = abscissa_axis(kind, marginal),
                      .y = ordinate_axis(kind, marginal, content.smallest_density)};
-  if (kind == PanelKind::linear) result.note = spike_note(marginal.ranges);
+  if (kind == DensityPanelKind::linear) result.note = spike_note(marginal.ranges);
   std::vector<FigureSeries*> marked;
   for (const auto& drawn : marginal.curves) {
     result.series.push_back(curve_series(drawn, kind, content.reference));
@@ -151,7 +153,7 @@ FigurePanel density_panel(PanelKind kind, const MarginalCurves& marginal,
   for (auto& series : result.series) {
     if (!series.symbol.empty() && !series.dash.empty()) marked.push_back(&series);
   }
-  // A line has at most kMarksOnACurve marks. The marks of different curves have different
+  // A density curve has at most kMarksOnACurve marks. The marks of different curves have different
   // abscissae, since the curves may nearly coincide.
   constexpr std::size_t kMarksOnACurve = 8;
   for (std::size_t k = 0; k < marked.size(); ++k) {
@@ -180,10 +182,10 @@ std::string page_caption(StateVariable variable, const DensityFigureContent& con
 Figure density_figure(const problem::Problem& problem, const DensityFigureContent& content,
                       FigureWidth width) {
   const bool narrow = width == FigureWidth::one_column;
-  std::vector<PanelKind> shown{PanelKind::linear, PanelKind::logarithmic};
+  std::vector<DensityPanelKind> shown{DensityPanelKind::linear, DensityPanelKind::logarithmic};
   if (!content.reference.empty()) {
-    shown.push_back(content.smooth_differences ? PanelKind::smooth_difference
-                                               : PanelKind::difference);
+    shown.push_back(content.smooth_differences ? DensityPanelKind::smooth_difference
+                                               : DensityPanelKind::difference);
     if (narrow) shown.erase(shown.begin());
   }
   Figure figure{.title = problem_title_parts(problem),
@@ -193,17 +195,18 @@ Figure density_figure(const problem::Problem& problem, const DensityFigureConten
   for (const auto& marginal : content.marginals) {
     const bool of_y = marginal.variable == StateVariable::y;
     const std::string caption = page_caption(marginal.variable, content);
-    for (const PanelKind kind : shown) {
+    for (const DensityPanelKind kind : shown) {
       figure.panels.push_back(density_panel(kind, marginal, content, width != FigureWidth::screen));
       figure.panels.back().id = fmt::format("density-{}", name(marginal.variable));
       figure.panels.back().caption = caption;
       if (narrow) continue;  // a narrow figure letters its panels consecutively
-      figure.panels.back().letter = kind == PanelKind::linear        ? (of_y ? "a" : "c")
-                                    : kind == PanelKind::logarithmic ? (of_y ? "b" : "d")
-                                                                     : (of_y ? "e" : "f");
+      figure.panels.back().letter = kind == DensityPanelKind::linear        ? (of_y ? "a" : "c")
+                                    : kind == DensityPanelKind::logarithmic ? (of_y ? "b" : "d")
+                                                                            : (of_y ? "e" : "f");
     }
   }
-  // The hint appears only in figures for a screen, since the hint names a command-line option.
+  // The legend note on hidden curves appears only in figures for a screen, since the note names a
+  // command-line option.
   if (content.hidden_count > 0 && width == FigureWidth::screen) {
     figure.legend_note = fmt::format("{} more curves: --curves all", content.hidden_count);
   }

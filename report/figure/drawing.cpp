@@ -43,7 +43,7 @@ void run_gnuplot_script(const std::string& gnuplot, const fs::path& script,
                                    {"format=" + quote_for_gnuplot(format),
                                     "target=" + quote_for_gnuplot(fs::absolute(target).string())},
                                    script);
-  if (!outcome.found) throw GnuplotMissing(fmt::format("'{}' was not found", gnuplot));
+  if (!outcome.found) throw GnuplotNotFound(fmt::format("'{}' was not found", gnuplot));
   std::error_code error;
   const auto size = fs::file_size(target, error);
   if (outcome.exit_code != 0 || error || size == 0) {
@@ -130,7 +130,7 @@ void draw_picture(const std::string& gnuplot, const fs::path& script, const fs::
 }
 
 std::vector<std::string> write_scripts_and_draw(const fs::path& figures,
-                                                const std::vector<PictureScript>& pictures,
+                                                const std::vector<PictureGnuplotScript>& pictures,
                                                 const FigureOptions& options,
                                                 const std::string& gnuplot,
                                                 const std::string& subject,
@@ -150,7 +150,7 @@ std::vector<std::string> write_scripts_and_draw(const fs::path& figures,
       draw_picture(gnuplot, figures / (stem + ".gp"),
                    figures / fmt::format("{}.{}", stem, name(options.formats[k % formats])),
                    options.width);
-    } catch (const GnuplotMissing&) {
+    } catch (const GnuplotNotFound&) {
       throw;
     } catch (const std::runtime_error& error) {
       warnings[k] = error.what();
@@ -159,7 +159,7 @@ std::vector<std::string> write_scripts_and_draw(const fs::path& figures,
   try {
     base::parallel_for(warnings.size(), std::min(kMaxProcesses, base::available_processors()),
                        draw);
-  } catch (const GnuplotMissing& missing) {
+  } catch (const GnuplotNotFound& missing) {
     return {fmt::format("{}: {}{}", subject, missing.what(), remedy)};
   }
   // After a stop request a missing picture gives no warning, since the user requested the stop.

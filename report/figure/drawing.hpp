@@ -10,20 +10,20 @@
 namespace fpkcheck::report {
 
 /// Exception: the program gnuplot was not found.
-struct GnuplotMissing : std::runtime_error {
+struct GnuplotNotFound : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// Runs gnuplot to draw the picture of a script. The extension of `picture` determines the format.
-/// The picture file is either replaced completely or left unchanged. The same holds for the
-/// graphics file STEM-tex.pdf, which STEM.tex includes.
-/// @throws GnuplotMissing
+/// The picture file is either replaced completely or left unchanged. The graphics file
+/// STEM-tex.pdf, which STEM.tex includes, is also either replaced completely or left unchanged.
+/// @throws GnuplotNotFound
 /// @throws std::runtime_error with a message of one line if gnuplot drew no picture
 void draw_picture(const std::string& gnuplot, const std::filesystem::path& script,
                   const std::filesystem::path& picture, FigureWidth width = FigureWidth::screen);
 
 /// A gnuplot script. The script file and its pictures have the file name `stem` plus extension.
-struct PictureScript {
+struct PictureGnuplotScript {
   std::string stem, script;
 };
 
@@ -33,7 +33,7 @@ struct PictureScript {
 /// @return a warning for each picture that was not drawn; a single warning if gnuplot is missing;
 ///         empty after a stop request
 std::vector<std::string> write_scripts_and_draw(const std::filesystem::path& figures,
-                                                const std::vector<PictureScript>& pictures,
+                                                const std::vector<PictureGnuplotScript>& pictures,
                                                 const FigureOptions& options,
                                                 const std::string& gnuplot,
                                                 const std::string& subject,

@@ -19,7 +19,7 @@ namespace fpkcheck::report {
 namespace {
 
 using results::CaseResult;
-using results::ErrorSource;
+using results::MomentErrorSource;
 using transform::Moments;
 
 constexpr std::size_t kMaxSolutions = 4, kMaxSolutionsInColumn = 2;
@@ -27,24 +27,24 @@ constexpr std::size_t kMaxSolutions = 4, kMaxSolutionsInColumn = 2;
 // omitted.
 constexpr double kVisibleErrorFraction = 1e-3;
 
-struct PlottedMoment {
+struct MomentWithErrorSources {
   const char* name;
   const char* symbol;  ///< symbol in gnuplot's enhanced text
   const char* text;
   double Moments::*member;
 };
-constexpr PlottedMoment kMoments[] = {{"y2", "E[{/:Italic y}²]", "E[y²]", &Moments::y2},
-                                      {"v2", "E[{/:Italic y}'²]", "E[y′²]", &Moments::v2}};
+constexpr MomentWithErrorSources kMoments[] = {{"y2", "E[{/:Italic y}²]", "E[y²]", &Moments::y2},
+                                               {"v2", "E[{/:Italic y}'²]", "E[y′²]", &Moments::v2}};
 
-double largest_magnitude(const ErrorSource& source) {
+double largest_magnitude(const MomentErrorSource& source) {
   double most = 0;
   for (const double x : source.density.averages) most = std::max(most, std::abs(x));
   return most;
 }
 
 bool has_error_sources(const CaseResult& case_result, const std::string& id) {
-  return std::ranges::all_of(kMoments, [&](const PlottedMoment& moment) {
-    return case_result.error_source(id, moment.name) != nullptr;
+  return std::ranges::all_of(kMoments, [&](const MomentWithErrorSources& moment) {
+    return case_result.moment_error_source(id, moment.name) != nullptr;
   });
 }
 
@@ -73,19 +73,19 @@ std::vector<std::string> solutions_to_show(const CaseResult& case_result, std::s
 CellIndexWindow window_of_visible_cells(const CaseResult& case_result,
                                         const std::vector<std::string>& ids) {
   const auto& cells = case_result.error_sources.front().density;
-  CellIndexWindow window{.y_end = 1, .v_begin = cells.nv(), .v_end = 0};
-  if (cells.y_edges.front() != 0) window.y_begin = cells.ny() - 1;
+  CellIndexWindow window{.y_end = 1, .v_begin = cells.v_cell_count(), .v_end = 0};
+  if (cells.y_edges.front() != 0) window.y_begin = cells.y_cell_count() - 1;
   for (const auto& id : ids) {
-    for (const PlottedMoment& moment : kMoments) {
-      const ErrorSource& source = *case_result.error_source(id, moment.name);
+    for (const MomentWithErrorSources& moment : kMoments) {
+      const MomentErrorSource& source = *case_result.moment_error_source(id, moment.name);
       const double least = kVisibleErrorFraction * largest_magnitude(source);
-      for (std::size_t i = 0; i < source.density.ny(); ++i) {
-        for (std::size_t j = 0; j < source.density.nv(); ++j) {
+      for (std::size_t i = 0; i < source.density.y_cell_count(); ++i) {
+        for (std::size_t j = 0; j < source.density.v_cell_count(); ++j) {
           if (std::abs(source.density.cell_average(i, j)) <= least) continue;
           window.y_begin = std::min(window.y_begin, i);
           window.y_end = std::max(window.y_end, i + 1);
-          window.v_begin = std::min({window.v_begin, j, cells.nv() - 1 - j});
-          window.v_end = std::max({window.v_end, j + 1, cells.nv() - j});
+          window.v_begin = std::min({window.v_begin, j, cells.v_cell_count() - 1 - j});
+          window.v_end = std::max({window.v_end, j + 1, cells.v_cell_count() - j});
         }
       }
     }
@@ -99,8 +99,9 @@ double scaled_signed_root(double value, double limit) {
   return std::copysign(std::sqrt(std::abs(value) / limit), value);
 }
 
-// Returns a colour axis with tics at equal steps of the value. The positions of the tics are signed
-// square roots of the values. The tic labels are in units of the power of ten in the axis label.
+// Returns a colour axis with tics at equal steps of the value. The positions of the tics on the
+// colour axis are signed square roots of the values. The tic labels are in units of the power of
+// ten in the axis label.
 FigureAxis signed_root_colour_axis(const std::string& quantity, double limit) {
   constexpr int kMaxSteps = 5;  // largest number of tic steps on each side of 0
   const double step = choose_tic_step(0, limit, kMaxSteps);
@@ -117,11 +118,12 @@ FigureAxis signed_root_colour_axis(const std::string& quantity, double limit) {
 }
 
 FigurePanel error_source_panel(const CaseResult& case_result, const std::string& id,
-                               const PlottedMoment& moment, const CellIndexWindow& window) {
+                               const MomentWithErrorSources& moment,
+                               const CellIndexWindow& window) {
   constexpr int kMaxTics = 4;  // largest number of tics that fit under a map on a screen
   const auto* estimate = case_result.moment_error_estimate(id);
   const double error = estimate == nullptr ? 0 : estimate->error.*moment.member;
-  const ErrorSource& source = *case_result.error_source(id, moment.name);
+  const MomentErrorSource& source = *case_result.moment_error_source(id, moment.name);
   const double limit = std::max(largest_magnitude(source), 1e-300);
   const auto& y = source.density.y_edges;
   const auto& v = source.density.v_edges;
@@ -131,7 +133,7 @@ FigurePanel error_source_panel(const CaseResult& case_result, const std::string&
   FigureHeatMap map{.x_range = {x_axis.from, x_axis.to},
                     .y_range = {y_axis.from, y_axis.to},
                     .columns = window.y_end - window.y_begin,
-                    .values = rows_of_constant_velocity(source.density, window),
+                    .values = cell_averages_by_velocity_rows(source.density, window),
                     .colour_axis = signed_root_colour_axis("error per area", limit),
                     .colours = {std::begin(kDivergingColours), std::end(kDivergingColours)},
                     .root_scale = limit,
@@ -152,8 +154,8 @@ FigurePanel error_source_panel(const CaseResult& case_result, const std::string&
 }
 
 // On a screen each solution has a column of two maps, but a single solution has a row of two maps.
-// On paper each solution has a row of two maps. In a single journal column all maps are below one
-// another.
+// On paper each solution has a row of two heat maps. In a single journal column all heat maps are
+// below one another.
 Figure make_error_source_figure(const CaseResult& case_result, const std::vector<std::string>& ids,
                                 FigureWidth width) {
   constexpr int kColumnOnScreen = 400, kMomentCount = static_cast<int>(std::size(kMoments));
@@ -164,8 +166,8 @@ Figure make_error_source_figure(const CaseResult& case_result, const std::vector
                 .screen_width = columns * kColumnOnScreen,
                 .panel_height = 275};
   const bool has_error = std::ranges::any_of(ids, [&](const std::string& id) {
-    return std::ranges::any_of(kMoments, [&](const PlottedMoment& moment) {
-      return largest_magnitude(*case_result.error_source(id, moment.name)) > 0;
+    return std::ranges::any_of(kMoments, [&](const MomentWithErrorSources& moment) {
+      return largest_magnitude(*case_result.moment_error_source(id, moment.name)) > 0;
     });
   });
   const bool same_cells = std::ranges::all_of(case_result.error_sources, [&](const auto& source) {

@@ -19,7 +19,7 @@ namespace {
 constexpr int kColourBarWidth = 14, kColourBarSpace = 110;
 
 /// The data blocks of a gnuplot script. Series with the same points share a data block.
-class DataBlocks {
+class GnuplotDataBlocks {
  public:
   /// @param rows rows of the block, each ended by a newline
   /// @return name of the block
@@ -96,7 +96,8 @@ std::string bar_style_options(const FigureSeries& series, const std::string& kin
 
 // Returns the plot style of a series, in the colour of the series or of its legend entry. The
 // colour is quoted as a gnuplot string, since plot styles may come from files.
-// @param kind plot style of gnuplot: gnuplot_plot_style(), or only the lines or points of the series
+// @param kind plot style of gnuplot: gnuplot_plot_style(), or only the lines or points of the
+// series
 std::string series_style_options(const FigureSeries& series, const std::string& kind,
                                  const std::string& colour, bool is_open = false) {
   if (series.is_area) {
@@ -116,7 +117,7 @@ std::string series_style_options(const FigureSeries& series, const std::string& 
 // Returns the data block of a series with the columns abscissa, ordinate, 1 for an open mark, width
 // of the bar, and ends of the interval.
 std::string add_series_data_block(const FigureSeries& series, const FigurePanel& panel,
-                                  DataBlocks& blocks) {
+                                  GnuplotDataBlocks& blocks) {
   const bool is_logarithmic = panel.y.is_logarithmic, with_intervals = has_intervals(series);
   std::string rows;
   for (const auto& point : series.points) {
@@ -143,7 +144,7 @@ std::string add_series_data_block(const FigureSeries& series, const FigurePanel&
 // An open mark is a white filled mark below the outline of the mark, so that the line does not
 // cross the mark.
 std::vector<std::string> series_plot_commands(const FigureSeries& series, const FigurePanel& panel,
-                                              DataBlocks& blocks) {
+                                              GnuplotDataBlocks& blocks) {
   const std::string block = add_series_data_block(series, panel, blocks),
                     kind = gnuplot_plot_style(series);
   const auto plot = [&](const std::string& every, const std::string& columns,
@@ -182,7 +183,7 @@ std::vector<std::string> series_plot_commands(const FigureSeries& series, const 
   return plots;
 }
 
-std::string heat_map_plot_command(const FigureHeatMap& map, DataBlocks& blocks) {
+std::string heat_map_plot_command(const FigureHeatMap& map, GnuplotDataBlocks& blocks) {
   std::string rows;
   for (const auto& [x, y, value] : map.discs) {
     rows += fmt::format("{:.6g} {:.6g} {}\n", x, y, gnuplot_number(value, false));
@@ -273,8 +274,8 @@ std::string colour_scale_commands(const FigureHeatMap& map, const PanelBox& plac
                  : "unset colorbox\n");
 }
 
-Legend collect_legend(const Figure& figure) {
-  Legend legend{{}, 4};
+FigureLegend collect_legend(const Figure& figure) {
+  FigureLegend legend{{}, 4};
   std::vector<const FigureSeries*> listed;
   bool any_open = false, any_pale = false;
   for (const auto& panel : figure.panels) {
@@ -336,7 +337,7 @@ bool panels_share_colour_axis(const Figure& figure) {
   });
 }
 
-PanelGrid choose_panel_grid(const Figure& figure, const Legend& legend, FigureWidth width) {
+PanelGrid choose_panel_grid(const Figure& figure, const FigureLegend& legend, FigureWidth width) {
   PanelGrid grid = make_panel_grid(width, figure.screen_width);
   const int panels = static_cast<int>(figure.panels.size());
   grid.columns = width == FigureWidth::one_column ? 1 : std::min(figure.columns, panels);
@@ -397,7 +398,7 @@ FigureAxis linear_axis(const std::string& label, const std::vector<FigureSeries>
 std::string make_gnuplot_script(const Figure& figure, const std::string& file_stem,
                                 FigureWidth width) {
   assert(!figure.panels.empty());
-  const Legend legend = collect_legend(figure);
+  const FigureLegend legend = collect_legend(figure);
   PanelGrid grid = choose_panel_grid(figure, legend, width);
   const FigureTitle title = make_figure_title(figure.title, grid.size());
   grid.title_height = title.height;
@@ -409,7 +410,7 @@ std::string make_gnuplot_script(const Figure& figure, const std::string& file_st
   const bool few_cells = cells <= kFewCells;
   const bool common_colours = panels_share_colour_axis(figure);
   const auto figure_columns = static_cast<std::size_t>(grid.columns);
-  DataBlocks blocks;
+  GnuplotDataBlocks blocks;
   std::string commands;
   for (std::size_t k = 0; k < figure.panels.size(); ++k) {
     const FigurePanel& panel = figure.panels[k];

@@ -11,9 +11,9 @@
 #include "report/figure/options.hpp"
 #include "transform/solution_identity.hpp"
 
-/// Data structures that describe a figure independently of its output. The function make_gnuplot_script()
-/// converts a Figure to a gnuplot script. The function make_page_plots() (report/page/page_plots.hpp)
-/// converts a Figure to plots of the report page.
+/// Data structures that describe a figure independently of its output. The function
+/// make_gnuplot_script() converts a Figure to a gnuplot script. The function make_page_plots()
+/// (report/page/page_plots.hpp) converts a Figure to plots of the report page.
 namespace fpkcheck::report {
 
 /// A point of a series. The line has a gap at a point with a non-finite coordinate, or with a
@@ -104,8 +104,8 @@ struct FigureHeatMap {
   std::vector<std::array<double, 3>> discs = {};  ///< coordinates x, y and value of single points
   std::string no_value_name = "";                 ///< legend entry of cells without a colour
   double disc_size = 1;                           ///< in units of gnuplot's point size
-  /// If root_scale is positive, a value v is a signed square root. The page then shows the number v
-  /// |v| root_scale beside the mouse pointer.
+  /// If root_scale is positive, a value v of the heat map is a signed square root, and the page
+  /// shows the number v |v| root_scale beside the mouse pointer.
   double root_scale = 0;
   std::string quantity = "";
 };
@@ -116,8 +116,8 @@ inline constexpr std::pair<double, const char*> kDivergingColours[] = {
     {0, "#053061"},   {0.2, "#2166ac"}, {0.4, "#92c5de"}, {0.5, "#ffffff"},
     {0.6, "#f4a582"}, {0.8, "#b2182b"}, {1, "#67001f"}};
 
-/// Positions and colours of a sequential colour scale with white for 0. The colours differ
-/// most among small values.
+/// Positions and colours of a sequential colour scale with white for 0. The colours of the
+/// sequential scale differ most among small values.
 inline constexpr std::pair<double, const char*> kSequentialColours[] = {
     {0, "#FFFFFF"},   {0.04, "#E4F0EE"}, {0.12, "#A9DAC9"}, {0.3, "#45B29D"},
     {0.5, "#2A788E"}, {0.75, "#3B4A8C"}, {1, "#3A0F4F"}};

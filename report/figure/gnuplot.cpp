@@ -33,9 +33,9 @@ using Clock = std::chrono::steady_clock;
 
 /// A pipe from standard output and standard error of a child process. The standard input of the
 /// child process is empty.
-class OutputPipe {
+class ChildProcessOutputPipe {
  public:
-  OutputPipe() {
+  ChildProcessOutputPipe() {
     // The ends of the pipe are closed on exec, since a child process that another thread starts
     // must not inherit them.
     if (pipe2(ends_.data(), O_CLOEXEC) != 0) throw_system_error(errno, "pipe");
@@ -46,9 +46,9 @@ class OutputPipe {
     posix_spawn_file_actions_addclose(&actions_, ends_[0]);
     posix_spawn_file_actions_addclose(&actions_, ends_[1]);
   }
-  OutputPipe(const OutputPipe&) = delete;
-  OutputPipe& operator=(const OutputPipe&) = delete;
-  ~OutputPipe() {
+  ChildProcessOutputPipe(const ChildProcessOutputPipe&) = delete;
+  ChildProcessOutputPipe& operator=(const ChildProcessOutputPipe&) = delete;
+  ~ChildProcessOutputPipe() {
     posix_spawn_file_actions_destroy(&actions_);
     for (const int end : ends_) {
       if (end >= 0) close(end);
@@ -57,8 +57,8 @@ class OutputPipe {
 
   const posix_spawn_file_actions_t* actions() const { return &actions_; }
 
-  /// Reads the output until its end and returns the beginning of the output. The result is empty if
-  /// the deadline passes or a stop is requested.
+  /// Reads the output until its end and returns the beginning of the output. The returned output is
+  /// empty if the deadline passes or a stop is requested.
   std::optional<std::string> read_until_end(Clock::time_point deadline) {
     // Largest length of the returned output, of which callers report the first line.
     constexpr std::size_t kMost = 10000;
@@ -164,7 +164,7 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
   auto environment = environment_without_prefix("GNUTERM=");
   auto envp = null_terminated_pointers(environment);
 
-  OutputPipe error_pipe;
+  ChildProcessOutputPipe error_pipe;
   const SigpipeResetAttributes signals;
   pid_t child = 0;
   const int error = posix_spawnp(&child, program.c_str(), error_pipe.actions(),

@@ -8,13 +8,13 @@ namespace fpkcheck::report {
 
 using transform::GridDensity;
 
-CellIndexWindow cells_above_peak_fraction(const GridDensity& density, double part) {
+CellIndexWindow window_of_cells_above_peak_fraction(const GridDensity& density, double part) {
   const double peak = *std::ranges::max_element(density.averages);
-  if (!(peak > 0)) return {density.ny(), 0, density.nv()};
-  CellIndexWindow window{1, density.nv() - 1, 1};
-  if (density.y_edges.front() != 0) window.y_begin = density.ny() - 1;
-  for (std::size_t i = 0; i < density.ny(); ++i) {
-    for (std::size_t j = 0; j < density.nv(); ++j) {
+  if (!(peak > 0)) return {density.y_cell_count(), 0, density.v_cell_count()};
+  CellIndexWindow window{1, density.v_cell_count() - 1, 1};
+  if (density.y_edges.front() != 0) window.y_begin = density.y_cell_count() - 1;
+  for (std::size_t i = 0; i < density.y_cell_count(); ++i) {
+    for (std::size_t j = 0; j < density.v_cell_count(); ++j) {
       if (density.cell_average(i, j) <= part * peak) continue;
       window.y_begin = std::min(window.y_begin, i);
       window.y_end = std::max(window.y_end, i + 1);
@@ -25,8 +25,8 @@ CellIndexWindow cells_above_peak_fraction(const GridDensity& density, double par
   return window;
 }
 
-std::vector<double> rows_of_constant_velocity(const GridDensity& density,
-                                              const CellIndexWindow& window) {
+std::vector<double> cell_averages_by_velocity_rows(const GridDensity& density,
+                                                   const CellIndexWindow& window) {
   std::vector<double> values;
   for (std::size_t j = window.v_begin; j < window.v_end; ++j) {
     for (std::size_t i = window.y_begin; i < window.y_end; ++i)

@@ -20,16 +20,17 @@ struct CellIndexWindow {
 /// Returns the window of the cells with a density above `part` times the peak. The window includes
 /// y = 0 if the cells begin at y = 0. If the density is nowhere positive, the window contains all
 /// cells.
-CellIndexWindow cells_above_peak_fraction(const transform::GridDensity& density, double part);
+CellIndexWindow window_of_cells_above_peak_fraction(const transform::GridDensity& density,
+                                                    double part);
 
 /// Returns the cell averages in a window as rows of constant y', shape (nv, ny), the order of heat
 /// maps.
-std::vector<double> rows_of_constant_velocity(const transform::GridDensity& density,
-                                              const CellIndexWindow& window);
+std::vector<double> cell_averages_by_velocity_rows(const transform::GridDensity& density,
+                                                   const CellIndexWindow& window);
 
 /// Signed numbers, quantised to integers q from -levels to levels. The integer q represents the
-/// number sign(q) (q / levels)^2 times the largest magnitude. This square-root scale resolves small
-/// values in the tails of a density.
+/// number sign(q) (q / levels)^2 times the largest magnitude. The signed square-root scale resolves
+/// small values in the tails of a density.
 struct QuantisedSignedRoots {
   double largest;  ///< largest magnitude of the numbers
   int levels;

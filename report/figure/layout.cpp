@@ -63,7 +63,7 @@ constexpr double kStripLeft = 0.02,
                  kStripRight = 0.98;  // ends of the legend strip, as fractions of the picture width
 constexpr int kMaxLegendColumns = 4;
 
-int legend_column_count(const Legend& legend, int width) {
+int legend_column_count(const FigureLegend& legend, int width) {
   std::size_t longest = 0;
   for (const auto& entry : legend.entries) longest = std::max(longest, entry.label.size());
   const double entry_width =
@@ -147,7 +147,7 @@ FigureTitle make_figure_title(const std::vector<std::string>& parts, const Figur
 // font.
 std::vector<std::string> problem_title_parts(const problem::Problem& problem) {
   std::vector<std::string> parts{problem.name + ": "};
-  const std::string parameters = problem::parameters_text(problem, true);
+  const std::string parameters = problem::non_default_parameters_text(problem, true);
   for (std::size_t from = 0; from < parameters.size();) {
     const auto end = parameters.find(' ', parameters.find_first_of(",;", from));
     const auto to = end == std::string::npos ? parameters.size() : end + 1;
@@ -181,13 +181,13 @@ PanelGrid make_panel_grid(FigureWidth medium, int screen_width_pixels) {
   return grid;
 }
 
-int legend_height(const Legend& legend, int width) {
+int legend_height(const FigureLegend& legend, int width) {
   const auto rows =
       std::ceil(static_cast<double>(legend.entries.size()) / legend_column_count(legend, width));
   return static_cast<int>(std::ceil(kLegendMargin + kLineHeight * rows));
 }
 
-std::string legend_strip_commands(const Legend& legend, const FigureSize& size) {
+std::string legend_strip_commands(const FigureLegend& legend, const FigureSize& size) {
   std::vector<std::string> plots;
   for (const auto& [plot, label] : legend.entries) {
     plots.push_back(fmt::format("{} title {}", plot, literal_gnuplot_expression(label)));

@@ -77,24 +77,24 @@ struct PanelGrid {
 PanelGrid make_panel_grid(FigureWidth medium, int screen_width_pixels);
 
 /// A legend entry: gnuplot's plot specification ("NaN with lines ..") and the label.
-struct LegendEntry {
+struct FigureLegendEntry {
   std::string plot;
   std::string label;
 };
 
 /// The legend of a figure. The legend is in a strip below all panels and covers no curve.
-struct Legend {
-  std::vector<LegendEntry> entries;
+struct FigureLegend {
+  std::vector<FigureLegendEntry> entries;
   int sample_length;  ///< length of the line sample beside each label, in units of the letter width
 };
 
 /// Returns the height in pixels that the legend strip needs for all entries, since gnuplot omits
 /// entries that do not fit.
-int legend_height(const Legend& legend, int width);
+int legend_height(const FigureLegend& legend, int width);
 
 /// Returns gnuplot commands that draw the legend at the bottom of a figure, as the last plot of a
 /// multiplot.
 /// @param size size of the figure
-std::string legend_strip_commands(const Legend& legend, const FigureSize& size);
+std::string legend_strip_commands(const FigureLegend& legend, const FigureSize& size);
 
 }  // namespace fpkcheck::report

@@ -20,10 +20,10 @@ constexpr const char *kDensities = "", *kBudget = "-budget", *kErrorSources = "-
                      *kConvergence = "-order";
 
 // @param warnings list to which a line is added for each case that has no density to draw
-std::vector<PictureScript> make_picture_scripts(const results::Run& run,
-                                                const FigureOptions& options,
-                                                std::vector<std::string>& warnings) {
-  std::vector<PictureScript> pictures;
+std::vector<PictureGnuplotScript> make_picture_scripts(const results::Run& run,
+                                                       const FigureOptions& options,
+                                                       std::vector<std::string>& warnings) {
+  std::vector<PictureGnuplotScript> pictures;
   for (const auto& case_result : run.cases) {
     DensityFigureContent content = density_content_for_picture(
         case_result, select_solutions_to_draw(case_result, options.curves));
@@ -62,7 +62,7 @@ void remove_pictures_of_cases(const fs::path& directory, const results::Run& run
 
 std::vector<std::string> draw_pictures_of_cases(
     const fs::path& directory, const results::Run& run, const FigureOptions& options,
-    const std::string& gnuplot, const std::vector<PictureScript>& additional_pictures) {
+    const std::string& gnuplot, const std::vector<PictureGnuplotScript>& additional_pictures) {
   const fs::path figures = directory / "figures";
   std::vector<std::string> warnings;
   auto pictures = make_picture_scripts(run, options, warnings);

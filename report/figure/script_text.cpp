@@ -35,7 +35,7 @@ std::string_view latex_escape(char c) {
 }
 
 // Returns the text within the braces at a position, or the letter at the position if there are no
-// braces. Advances the position behind the returned text.
+// braces. The function advances the position behind the returned text.
 std::string_view take_argument(std::string_view text, std::size_t& position) {
   const bool in_braces = position < text.size() && text[position] == '{';
   const auto from = in_braces ? position + 1 : position;
@@ -71,13 +71,13 @@ std::string density_in_enhanced_text(transform::StateVariable variable) {
                                                  : "{/:Italic p}({/:Italic y}')";
 }
 
-PointTypes gnuplot_point_types(const std::string& symbol) {
+GnuplotPointTypes gnuplot_point_types(const std::string& symbol) {
   constexpr std::string_view kOpen = "-open";
   if (symbol.ends_with(kOpen)) {
     const int open = gnuplot_point_types(symbol.substr(0, symbol.size() - kOpen.size())).open;
     return {open, open};
   }
-  constexpr std::pair<std::string_view, PointTypes> kShapes[] = {
+  constexpr std::pair<std::string_view, GnuplotPointTypes> kShapes[] = {
       {"cross", {1, 1}},     {"asterisk", {3, 3}},    {"circle", {7, 6}},
       {"square", {5, 4}},    {"triangle-up", {9, 8}}, {"triangle-down", {11, 10}},
       {"diamond", {13, 12}}, {"pentagon", {15, 14}}};

@@ -27,12 +27,12 @@ double choose_tic_step(double from, double to, int max_steps = 6);
 std::string density_in_enhanced_text(transform::StateVariable variable);
 
 /// The gnuplot point types of one shape: filled for the status `ok`, open for other statuses.
-struct PointTypes {
+struct GnuplotPointTypes {
   int filled, open;
 };
 /// Returns the gnuplot point types with the shape of a plotly.js marker, the symbol of a plot
 /// style.
-PointTypes gnuplot_point_types(const std::string& symbol);
+GnuplotPointTypes gnuplot_point_types(const std::string& symbol);
 
 /// Returns the number of the gnuplot fill pattern that is most similar to a fill pattern of
 /// plotly.js.

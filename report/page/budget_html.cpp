@@ -20,31 +20,31 @@ using compare::ErrorBudgetRow;
 using transform::StateVariable;
 
 /// The error budget of one closure for one marginal density.
-struct LabelledBudgetRow {
+struct ErrorBudgetRowWithClosureId {
   std::string label;  ///< id of the closure, with kNotOkMark if not ok
   const ErrorBudgetRow* row;
 };
 
 /// The error budgets of all closures for one marginal density, and the names of all parts in the
 /// order in which the approximations are removed.
-struct MarginalBudget {
+struct ErrorBudgetsOfMarginal {
   StateVariable variable;
-  std::vector<LabelledBudgetRow> rows;
+  std::vector<ErrorBudgetRowWithClosureId> rows;
   std::vector<std::string> parts;
 };
 
 constexpr const char* kNotOkMark = " *";
 
-std::vector<MarginalBudget> marginal_budgets(const results::CaseResult& case_result) {
+std::vector<ErrorBudgetsOfMarginal> marginal_budgets(const results::CaseResult& case_result) {
   const auto budgets = compare::group_budget_by_closure(case_result.budget, case_result.solutions);
-  std::vector<MarginalBudget> marginals;
+  std::vector<ErrorBudgetsOfMarginal> marginals;
   for (const StateVariable variable : transform::kVariables) {
-    MarginalBudget marginal{variable, {}, compare::budget_part_names(budgets)};
+    ErrorBudgetsOfMarginal marginal{variable, {}, compare::budget_part_names(budgets)};
     for (const auto& budget : budgets) {
-      const bool is_ok = budget.status == transform::Status::ok;
-      const ErrorBudgetRow* row = budget.row(variable);
+      const bool has_status_ok = budget.status == transform::Status::ok;
+      const ErrorBudgetRow* row = budget.budget_row_of(variable);
       if (row != nullptr)
-        marginal.rows.push_back({budget.solution + (is_ok ? "" : kNotOkMark), row});
+        marginal.rows.push_back({budget.solution + (has_status_ok ? "" : kNotOkMark), row});
     }
     if (!marginal.rows.empty()) marginals.push_back(std::move(marginal));
   }
@@ -55,18 +55,19 @@ std::vector<MarginalBudget> marginal_budgets(const results::CaseResult& case_res
 using PartCell = std::function<std::string(const ErrorBudgetPart&)>;
 
 // Returns the table columns of closures, total distances and parts of the error budget.
-std::vector<HtmlColumn> budget_part_columns(const MarginalBudget& marginal,
-                                            const std::function<std::string(double)>& text,
-                                            double ErrorBudgetRow::*total, const PartCell& cell) {
-  std::vector<HtmlColumn> columns{{"solution", Align::left}, {"total"}};
+std::vector<HtmlTableColumn> budget_part_columns(const ErrorBudgetsOfMarginal& marginal,
+                                                 const std::function<std::string(double)>& text,
+                                                 double ErrorBudgetRow::*total,
+                                                 const PartCell& cell) {
+  std::vector<HtmlTableColumn> columns{{"solution", TextAlignment::left}, {"total"}};
   for (const auto& [label, row] : marginal.rows) {
     columns[0].cells.push_back(label);
     columns[1].cells.push_back(text(row->*total));
   }
   for (const auto& name : marginal.parts) {
-    HtmlColumn column{name};
+    HtmlTableColumn column{name};
     for (const auto& [label, row] : marginal.rows) {
-      const ErrorBudgetPart* part = row->find(name);
+      const ErrorBudgetPart* part = row->find_budget_part(name);
       column.cells.push_back(part != nullptr ? cell(*part) : std::string(kNoValue));
     }
     columns.push_back(std::move(column));
@@ -76,16 +77,17 @@ std::vector<HtmlColumn> budget_part_columns(const MarginalBudget& marginal,
 
 // Returns a table column with a sampling error of the last budget part, which is the distance from
 // the simulation.
-HtmlColumn sampling_error_column(const MarginalBudget& marginal, const std::string& header,
-                                 std::optional<double> ErrorBudgetPart::*member) {
-  HtmlColumn column{header};
+HtmlTableColumn sampling_error_column(const ErrorBudgetsOfMarginal& marginal,
+                                      const std::string& header,
+                                      std::optional<double> ErrorBudgetPart::*member) {
+  HtmlTableColumn column{header};
   for (const auto& [label, row] : marginal.rows) {
     column.cells.push_back(l1_cell_text(row->parts.back().*member));
   }
   return column;
 }
 
-std::string l1_budget_table_html(const MarginalBudget& marginal) {
+std::string l1_budget_table_html(const ErrorBudgetsOfMarginal& marginal) {
   const auto with_uncertainty = [](const ErrorBudgetPart& part) {
     const std::string l1 = l1_cell_text(part.l1);
     return part.uncertainty ? l1 + " \u00b1 " + l1_cell_text(part.uncertainty) : l1;
@@ -100,7 +102,7 @@ std::string l1_budget_table_html(const MarginalBudget& marginal) {
                     std::move(columns));
 }
 
-std::string tail_budget_table_html(const MarginalBudget& marginal) {
+std::string tail_budget_table_html(const ErrorBudgetsOfMarginal& marginal) {
   const auto text = [](double tail) {
     return std::isfinite(tail) ? fmt::format("{:.3f}", tail) : std::string(kNoValue);
   };

@@ -38,7 +38,7 @@ class SolutionsHtmlTable {
 
   void add_text(const std::string& header,
                 const std::function<std::string(const Solution&)>& cell) {
-    columns_.push_back({header, Align::left});
+    columns_.push_back({header, TextAlignment::left});
     for (const auto& s : case_result_.solutions) {
       // Solutions with the status `not_offered` have no row, but an entry in the list of reasons.
       if (s.status != transform::Status::not_offered) columns_.back().cells.push_back(cell(s));
@@ -52,7 +52,7 @@ class SolutionsHtmlTable {
   void add_number(const std::string& header,
                   const std::function<std::string(const Solution&)>& cell) {
     add_text(header, cell);
-    columns_.back().align = Align::right;
+    columns_.back().align = TextAlignment::right;
   }
   void add_density_number(const std::string& header, int digits,
                           const std::function<double(const Solution&)>& number) {
@@ -71,7 +71,7 @@ class SolutionsHtmlTable {
 
  private:
   const results::CaseResult& case_result_;
-  std::vector<HtmlColumn> columns_;
+  std::vector<HtmlTableColumn> columns_;
 };
 
 // Returns a number from a part of a solution; empty if the solution lacks this part.
@@ -150,14 +150,15 @@ std::string status_reasons_html(const results::CaseResult& case_result) {
 }
 
 std::string diagnostics_tables_html(const results::CaseResult& case_result) {
-  using transform::StandardErrors;
+  using transform::MomentStandardErrors;
   SolutionsHtmlTable table(case_result);
   table.add_status();
   table.add_density_number("minimum density / peak", 1,
                            [](const Solution& s) { return s.min_density; });
   table.add_mass_and_energy();
   table.add_number("standard error of the energy residual", [](const Solution& s) {
-    return number_text(optional_number(s.standard_errors, &StandardErrors::energy_residual), 1);
+    return number_text(optional_number(s.standard_errors, &MomentStandardErrors::energy_residual),
+                       1);
   });
   const auto add_l1 = [&](const std::string& header, auto part, auto l1) {
     table.add_number(header, [part, l1](const Solution& s) {
@@ -165,14 +166,15 @@ std::string diagnostics_tables_html(const results::CaseResult& case_result) {
     });
   };
   using transform::ErrorEstimate;
-  using transform::SamplingError;
+  using transform::MarginalSamplingErrors;
   add_l1("error estimate of p(y), L1", &Solution::error, &ErrorEstimate::y_l1);
   add_l1("error estimate of p(y\u2032), L1", &Solution::error, &ErrorEstimate::ydot_l1);
-  add_l1("sampling error of p(y), L1", &Solution::sampling, &SamplingError::y);
-  add_l1("sampling error of p(y\u2032), L1", &Solution::sampling, &SamplingError::ydot);
-  add_l1("sampling error of p(y), smooth bins", &Solution::smooth_sampling, &SamplingError::y);
+  add_l1("sampling error of p(y), L1", &Solution::sampling, &MarginalSamplingErrors::y);
+  add_l1("sampling error of p(y\u2032), L1", &Solution::sampling, &MarginalSamplingErrors::ydot);
+  add_l1("sampling error of p(y), smooth bins", &Solution::smooth_sampling,
+         &MarginalSamplingErrors::y);
   add_l1("sampling error of p(y\u2032), smooth bins", &Solution::smooth_sampling,
-         &SamplingError::ydot);
+         &MarginalSamplingErrors::ydot);
   table.add_number("standard error of E[y\u00b2]", [](const Solution& s) {
     return number_text(
         optional_number(s.standard_errors, [](const auto& e) { return e.moments.y2; }), 2);

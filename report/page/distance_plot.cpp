@@ -16,15 +16,15 @@ using transform::Solution;
 
 // Lengths in SVG units; the SVG is scaled to the width of the page.
 constexpr double kWidth = 560, kNames = 132, kRight = 14, kTop = 22, kRow = 22, kBottom = 42;
-constexpr double kLeast = 1e-9;  // position of all smaller distances on the axis
+constexpr double kLeast = 1e-9;  // Position on the distance axis of all smaller distances.
 
-class DistancePlot {
+class ReferenceDistancePlot {
  public:
-  DistancePlot(const results::Run& run, const std::vector<SolutionAgreements>& all)
+  ReferenceDistancePlot(const results::Run& run, const std::vector<SolutionAgreements>& all)
       : run_(run), all_(all) {
     for (const auto& row : all) {
       for (const auto& entry : row.entries) {
-        if (const auto l1 = entry.largest_l1()) include(*l1);
+        if (const auto l1 = entry.largest_l1_distance()) include(*l1);
       }
     }
     for (const auto& case_result : run.cases) {
@@ -107,8 +107,9 @@ class DistancePlot {
                       kNames, kWidth - kRight, y);
       svg += text_element(kNames - 6, y + 4, "end", row.identity->id);
       for (std::size_t c = 0; c < row.entries.size(); ++c) svg += mark_element(row, c, y);
-      if (std::ranges::none_of(row.entries,
-                               [](const AgreementInCase& s) { return bool(s.largest_l1()); })) {
+      if (std::ranges::none_of(row.entries, [](const SolutionAgreementInCase& s) {
+            return bool(s.largest_l1_distance());
+          })) {
         svg += text_element(kNames + 6, y + 4, "start", text_without_distance(row));
       }
     }
@@ -117,8 +118,8 @@ class DistancePlot {
 
   static std::string text_without_distance(const SolutionAgreements& row) {
     for (const auto& entry : row.entries) {
-      if (entry.agreement == Agreement::reference) return "the reference";
-      if (entry.solution != nullptr && !entry.solution->is_ok()) {
+      if (entry.agreement == AgreementWithReference::reference) return "the reference";
+      if (entry.solution != nullptr && !entry.solution->has_status_ok()) {
         return std::string(name(entry.solution->status));
       }
     }
@@ -128,20 +129,20 @@ class DistancePlot {
   // A filled circle marks status ok, an open circle another status with a density, and a cross a
   // solution without an admissible density.
   std::string mark_element(const SolutionAgreements& row, std::size_t c, double y) const {
-    const AgreementInCase& entry = row.entries[c];
-    const auto l1 = entry.largest_l1();
+    const SolutionAgreementInCase& entry = row.entries[c];
+    const auto l1 = entry.largest_l1_distance();
     if (!l1) return "";
     const double x = x_position(*l1);
     const std::string title = fmt::format(
         "<title>{}, {}: {}{}</title>", escape_html(row.identity->id),
         escape_html(run_.cases[c].name()), number_text(l1, 2),
-        entry.solution->is_ok() ? "" : fmt::format(" ({})", name(entry.solution->status)));
-    if (entry.agreement == Agreement::no_density) {
+        entry.solution->has_status_ok() ? "" : fmt::format(" ({})", name(entry.solution->status)));
+    if (entry.agreement == AgreementWithReference::no_density) {
       return fmt::format("<path class=\"cross\" d=\"M{0:.1f} {1:.1f}l8 8m0 -8l-8 8\">{2}</path>\n",
                          x - 4, y - 4, title);
     }
     return fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4.5\">{}</circle>\n",
-                       entry.solution->is_ok() ? "full" : "hollow", x, y, title);
+                       entry.solution->has_status_ok() ? "full" : "hollow", x, y, title);
   }
 
   const results::Run& run_;
@@ -153,9 +154,9 @@ class DistancePlot {
 
 }  // namespace
 
-std::string distance_plot(const results::Run& run,
-                          const std::vector<SolutionAgreements>& agreement_rows) {
-  const DistancePlot plot(run, agreement_rows);
+std::string reference_distance_plot_svg(const results::Run& run,
+                                        const std::vector<SolutionAgreements>& agreement_rows) {
+  const ReferenceDistancePlot plot(run, agreement_rows);
   if (plot.empty()) return "";
   return "<figure class=\"strip\">\n" + plot.svg() +
          fmt::format(

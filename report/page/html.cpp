@@ -16,8 +16,8 @@
 namespace fpkcheck::report {
 namespace {
 
-std::string_view css_class(const HtmlColumn& column) {
-  return column.align == Align::right ? " class=\"number\"" : "";
+std::string_view css_class(const HtmlTableColumn& column) {
+  return column.align == TextAlignment::right ? " class=\"number\"" : "";
 }
 
 // The CSS class of a status chip, which sets the colour, is the name of the status.
@@ -28,7 +28,7 @@ std::string status_chip(const std::string& status) {
   return fmt::format("<span class=\"chip {}\">{}</span>", letters, status);
 }
 
-bool is_empty_column(const HtmlColumn& column) {
+bool is_empty_column(const HtmlTableColumn& column) {
   return std::ranges::all_of(column.cells, [](const auto& cell) { return cell == kNoValue; });
 }
 
@@ -73,7 +73,7 @@ std::string collapsible_html(std::string_view id, std::string_view summary,
                      escape_html(summary), html);
 }
 
-std::string table_html(std::string_view caption, std::vector<HtmlColumn> columns) {
+std::string table_html(std::string_view caption, std::vector<HtmlTableColumn> columns) {
   if (columns.empty() || columns.front().cells.empty()) return "";
   std::erase_if(columns, is_empty_column);
   if (columns.size() < 2) return "";
@@ -114,8 +114,8 @@ std::string gzip_base64(std::string_view text) {
   constexpr int kGzip = 16, kWindowBits = 15, kMemoryLevel = 9;
   z_stream stream{};
   // Since the parameters are valid and the buffer is large enough, a lack of memory is the only
-  // possible error. The best compression of plotly.js would be 3 % smaller and take five times as
-  // long.
+  // possible error. The highest compression level would make plotly.js 3 % smaller and take five
+  // times as long.
   if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kWindowBits + kGzip, kMemoryLevel,
                    Z_DEFAULT_STRATEGY) != Z_OK) {
     throw std::bad_alloc();
@@ -135,7 +135,7 @@ std::string gzip_base64(std::string_view text) {
 
 static_assert(std::endian::native == std::endian::little, "plotly.js reads little-endian numbers");
 
-TypedArray encode_float_array(std::span<const double> values) {
+PlotlyNumberArray encode_float_array(std::span<const double> values) {
   const std::vector<float> rounded(values.begin(), values.end());
   return {"f4", encode_base64(std::as_bytes(std::span(rounded)))};
 }

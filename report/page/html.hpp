@@ -20,12 +20,12 @@ std::string html_element(std::string_view tag, std::string_view text);
 std::string collapsible_html(std::string_view id, std::string_view summary,
                              const std::string& html);
 
-enum class Align { left, right };
+enum class TextAlignment { left, right };
 
 /// A column of an HTML table: plain text, with one cell for each row.
-struct HtmlColumn {
+struct HtmlTableColumn {
   std::string header;
-  Align align = Align::right;
+  TextAlignment align = TextAlignment::right;
   std::vector<std::string> cells = {};
   /// Whether the cells are names of statuses, which are shown in the colour of the status.
   bool is_status = false;
@@ -34,7 +34,7 @@ struct HtmlColumn {
 /// Returns an HTML table that scrolls on a narrow screen. The first column has the names of the
 /// rows. Columns without any value are omitted. The text is empty if the table has no rows, or no
 /// column besides the names.
-std::string table_html(std::string_view caption, std::vector<HtmlColumn> columns);
+std::string table_html(std::string_view caption, std::vector<HtmlTableColumn> columns);
 
 /// Encodes bytes in base64 (RFC 4648).
 std::string encode_base64(std::span<const std::byte> bytes);
@@ -45,18 +45,18 @@ std::string encode_base64(std::span<const std::byte> bytes);
 std::string gzip_base64(std::string_view text);
 
 /// An array of numbers in the JSON format of plotly.js: little-endian bytes in base64.
-struct TypedArray {
+struct PlotlyNumberArray {
   std::string dtype;
   std::string bdata;
 };
 
 /// Converts numbers to an array of 32-bit floating-point numbers. The encoded numbers have seven
 /// significant digits and a third of the length of decimal text.
-TypedArray encode_float_array(std::span<const double> values);
+PlotlyNumberArray encode_float_array(std::span<const double> values);
 
 /// Converts an array to the JSON object {"dtype", "bdata"}; nlohmann::json calls this function.
 template <class Json>
-void to_json(Json& json, const TypedArray& array) {
+void to_json(Json& json, const PlotlyNumberArray& array) {
   json = {{"dtype", array.dtype}, {"bdata", array.bdata}};
 }
 

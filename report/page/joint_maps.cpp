@@ -26,8 +26,8 @@ constexpr int kLevels = 4096;
 
 double l1_distance(const GridDensity& a, const GridDensity& b) {
   double sum = 0;
-  for (std::size_t i = 0; i < a.ny(); ++i) {
-    for (std::size_t j = 0; j < a.nv(); ++j) {
+  for (std::size_t i = 0; i < a.y_cell_count(); ++i) {
+    for (std::size_t j = 0; j < a.v_cell_count(); ++j) {
       const double area = (a.y_edges[i + 1] - a.y_edges[i]) * (a.v_edges[j + 1] - a.v_edges[j]);
       sum += area * std::abs(a.cell_average(i, j) - b.cell_average(i, j));
     }
@@ -35,10 +35,10 @@ double l1_distance(const GridDensity& a, const GridDensity& b) {
   return sum;
 }
 
-JointDifference joint_difference(const JointDensity& joint, const JointDensity& reference,
-                                 const CellIndexWindow& window) {
-  auto values = rows_of_constant_velocity(joint.density, window);
-  const auto subtracted = rows_of_constant_velocity(reference.density, window);
+JointDensityDifference joint_difference(const JointDensity& joint, const JointDensity& reference,
+                                        const CellIndexWindow& window) {
+  auto values = cell_averages_by_velocity_rows(joint.density, window);
+  const auto subtracted = cell_averages_by_velocity_rows(reference.density, window);
   std::ranges::transform(values, subtracted, values.begin(), std::minus{});
   return {joint.solution, l1_distance(joint.density, reference.density),
           quantise_signed_roots(values, kLevels)};
@@ -58,7 +58,8 @@ std::vector<std::string> compared_solutions(const results::CaseResult& case_resu
   for (const auto* closure : case_result.assessment.ranked_closures()) ids.push_back(closure->id);
   for (const auto& solution : case_result.solutions) {
     const bool ranked = std::ranges::find(ids, solution.id()) != ids.end();
-    if (!ranked && solution.is_ok() && solution.id() != reference) ids.push_back(solution.id());
+    if (!ranked && solution.has_status_ok() && solution.id() != reference)
+      ids.push_back(solution.id());
   }
   return ids;
 }
@@ -83,20 +84,20 @@ const transform::Solution* joint_reference(const results::CaseResult& case_resul
 
 }  // namespace
 
-std::optional<JointMaps> make_joint_maps(const results::CaseResult& case_result) {
+std::optional<JointDensityMaps> make_joint_maps(const results::CaseResult& case_result) {
   const auto* reference_solution = joint_reference(case_result);
   const JointDensity* reference = reference_solution != nullptr
                                       ? find_joint_density(case_result, reference_solution->id())
                                       : nullptr;
   if (reference == nullptr) return std::nullopt;
   const GridDensity& density = reference->density;
-  const CellIndexWindow window = cells_above_peak_fraction(density, kLogarithmicFraction),
-                        bulk = cells_above_peak_fraction(density, kLinearFraction);
-  JointMaps maps{
+  const CellIndexWindow window = window_of_cells_above_peak_fraction(density, kLogarithmicFraction),
+                        bulk = window_of_cells_above_peak_fraction(density, kLinearFraction);
+  JointDensityMaps maps{
       reference->solution,
       {density.y_edges.begin() + window.y_begin, density.y_edges.begin() + window.y_end + 1},
       {density.v_edges.begin() + window.v_begin, density.v_edges.begin() + window.v_end + 1},
-      rows_of_constant_velocity(density, window),
+      cell_averages_by_velocity_rows(density, window),
       {density.y_edges[bulk.y_begin], density.y_edges[bulk.y_end]},
       {density.v_edges[bulk.v_begin], density.v_edges[bulk.v_end]},
       {}};
@@ -104,7 +105,8 @@ std::optional<JointMaps> make_joint_maps(const results::CaseResult& case_result)
     const JointDensity* joint = find_joint_density(case_result, id);
     if (joint == nullptr || !has_same_cells(joint->density, density)) continue;
     maps.differences.push_back(joint_difference(*joint, *reference, window));
-    // Rest atoms are points of the phase plane, which the integral over the cells does not include.
+    // The integral over the cells of the phase plane does not include the rest atoms, which are
+    // single points.
     maps.differences.back().l1 +=
         compare::rest_atom_l1_distance(transform::find_solution(case_result.solutions, id)->atoms,
                                        reference_solution->atoms, transform::StateVariable::y);
@@ -113,7 +115,7 @@ std::optional<JointMaps> make_joint_maps(const results::CaseResult& case_result)
   return maps;
 }
 
-std::string joint_maps_html(const JointMaps& maps, const std::string& prefix) {
+std::string joint_maps_html(const JointDensityMaps& maps, const std::string& prefix) {
   std::string options;
   for (const auto& difference : maps.differences) {
     options += fmt::format("<option value=\"{0}\">{0} (L1 {1})</option>",
@@ -147,7 +149,7 @@ std::string joint_maps_html(const JointMaps& maps, const std::string& prefix) {
   return html + "</div>\n";
 }
 
-std::string joint_maps_json(const JointMaps& maps, const std::string& prefix) {
+std::string joint_maps_json(const JointDensityMaps& maps, const std::string& prefix) {
   Json json{{"id", prefix + "-joint"},
             {"prefix", prefix},
             {"reference", maps.reference},

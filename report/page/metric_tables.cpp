@@ -16,12 +16,12 @@
 namespace fpkcheck::report {
 namespace {
 
-using transform::Metric;
 using transform::Solution;
+using transform::SolverMetric;
 
 constexpr int kDigits = 4;
 
-bool repeats_option(const Metric& metric, const Solution& solution) {
+bool repeats_option(const SolverMetric& metric, const Solution& solution) {
   return std::ranges::find(solution.options,
                            base::NamedParameterValue{metric.path, metric.value}) !=
          solution.options.end();
@@ -64,7 +64,7 @@ std::string metric_label(std::string path) {
 }
 
 std::string metric_value_text(const Solution& solution, const std::string& path) {
-  const Metric* found = find_metric(solution.metrics, path);
+  const SolverMetric* found = find_metric(solution.metrics, path);
   std::string text = parameter_value_text(found ? found->value : base::Value(), kDigits);
   const bool is_confined = transform::metric_text(solution.metrics, "tail.kind") == "confined";
   if (path == "support.rises_from" && is_confined && text != kNoValue) {
@@ -75,10 +75,10 @@ std::string metric_value_text(const Solution& solution, const std::string& path)
 
 std::string metric_table_html(const SolutionFamily& family) {
   const auto paths = metric_paths(family);
-  std::vector<HtmlColumn> table{{"quantity", Align::left}};
+  std::vector<HtmlTableColumn> table{{"quantity", TextAlignment::left}};
   for (const auto& path : paths) table.front().cells.push_back(metric_label(path));
   for (const Solution* solution : family.solutions) {
-    table.push_back({transform::short_name_in_family(solution->identity)});
+    table.push_back({transform::solution_name_within_family(solution->identity)});
     for (const auto& path : paths) {
       table.back().cells.push_back(metric_value_text(*solution, path));
     }

@@ -73,7 +73,7 @@ Json bar_trace(const FigureSeries& series) {
 }
 
 /// The traces of one plot, and the arrays of numbers that its traces share.
-class PlotTraces {
+class PlotlyTraces {
  public:
   void add(const FigurePanel& panel, std::size_t row) {
     const bool is_horizontal = std::ranges::any_of(panel.series, &FigureSeries::is_bars);
@@ -112,14 +112,15 @@ class PlotTraces {
     std::vector<double> values;
     for (const auto& point : series.points) values.push_back(point.*member);
     if (values.size() < kLong) return values;  // the JSON library writes NaN as null
-    const TypedArray array = encode_float_array(values);
+    const PlotlyNumberArray array = encode_float_array(values);
     const auto [found, is_new] = names_.try_emplace(array.bdata, fmt::format("{}", names_.size()));
     if (is_new) arrays_[found->second] = array;
     return "@" + found->second;
   }
 
   void add_band(const FigureSeries& series, const FigurePanel& panel, std::size_t row) {
-    // Ends of intervals <= 0 are replaced by a value far below the logarithmic axis.
+    // Ends of confidence intervals that are <= 0 are replaced by a value far below the logarithmic
+    // axis.
     const double least =
         panel.y.is_logarithmic ? 1e-5 * panel.y.from : -std::numeric_limits<double>::infinity();
     for (const bool is_upper : {false, true}) {
@@ -279,7 +280,7 @@ std::size_t plot_height(std::span<const FigurePanel> rows) {
 
 }  // namespace
 
-std::string plots_html(const std::vector<PagePlot>& plots) {
+std::string plots_html(const std::vector<ReportPagePlot>& plots) {
   std::string html = "<div class=\"plots\">\n";
   for (const auto& plot : plots) {
     html += fmt::format(
@@ -290,7 +291,7 @@ std::string plots_html(const std::vector<PagePlot>& plots) {
   return html + "</div>\n";
 }
 
-std::string plots_json(const std::vector<PagePlot>& plots) {
+std::string plots_json(const std::vector<ReportPagePlot>& plots) {
   std::vector<std::string> entries;
   for (const auto& plot : plots) {
     entries.push_back(
@@ -351,8 +352,8 @@ std::string plotly_dash_type(const std::string& gnuplot_dash) {
   return dash;
 }
 
-std::vector<PagePlot> make_page_plots(const Figure& figure, const std::string& prefix) {
-  std::vector<PagePlot> plots;
+std::vector<ReportPagePlot> make_page_plots(const Figure& figure, const std::string& prefix) {
+  std::vector<ReportPagePlot> plots;
   for (auto from = figure.panels.begin(); from != figure.panels.end();) {
     const auto to = std::find_if(from, figure.panels.end(), [&](const FigurePanel& panel) {
       return panel.id != from->id || panel.id.empty();
@@ -361,7 +362,7 @@ std::vector<PagePlot> make_page_plots(const Figure& figure, const std::string& p
     from += static_cast<std::ptrdiff_t>(rows.size());
     const FigurePanel& panel = rows.front();
     if (panel.id.empty()) continue;
-    PlotTraces traces;
+    PlotlyTraces traces;
     for (std::size_t row = 0; row < rows.size(); ++row) traces.add(rows[row], row);
     const Json json{{"height", plot_height(rows)},
                     {"arrays", traces.arrays()},

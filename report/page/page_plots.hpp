@@ -8,7 +8,7 @@
 
 namespace fpkcheck::report {
 
-struct PagePlot {
+struct ReportPagePlot {
   std::string id;       ///< id of the HTML element of the plot
   std::string caption;  ///< caption of the plot, plain text
   /// JSON for plotly.js with the keys "data" (traces), "layout" and "arrays" (numbers that several
@@ -19,11 +19,11 @@ struct PagePlot {
 };
 
 /// Returns the HTML elements in which page.js draws the plots, side by side on a wide screen.
-std::string plots_html(const std::vector<PagePlot>& plots);
+std::string plots_html(const std::vector<ReportPagePlot>& plots);
 
 /// Returns the plots of one case as JSON for the script page.js, with an element {"id", "figure"}
 /// for each plot.
-std::string plots_json(const std::vector<PagePlot>& plots);
+std::string plots_json(const std::vector<ReportPagePlot>& plots);
 
 /// Escapes a text for plotly.js, which interprets names, titles and labels as a subset of HTML.
 std::string escape_plotly_text(std::string_view text);
@@ -38,6 +38,6 @@ std::string plotly_dash_type(const std::string& gnuplot_dash);
 /// Converts a figure to plots of the report page. Each panel with an id gives a plot, and
 /// consecutive panels with the same id are the rows of one plot.
 /// @param prefix prefix of the ids of the plots
-std::vector<PagePlot> make_page_plots(const Figure& figure, const std::string& prefix);
+std::vector<ReportPagePlot> make_page_plots(const Figure& figure, const std::string& prefix);
 
 }  // namespace fpkcheck::report

@@ -134,13 +134,13 @@ std::string formula_html(const std::string& formula, const char* velocity = "y�
   return FormulaTypesetter(formula, velocity).html();
 }
 
-class ProblemStatement {
+class EquationOfMotionHtml {
  public:
-  explicit ProblemStatement(std::span<const Problem* const> problems) : problems_(problems) {}
+  explicit EquationOfMotionHtml(std::span<const Problem* const> problems) : problems_(problems) {}
 
   std::string html() const {
-    const bool impulses = any_problem_has([](const Problem& p) { return p.impulses.is_present(); });
-    const bool noise = any_problem_has([](const Problem& p) { return p.noise.is_present(); });
+    const bool impulses = any_problem_has([](const Problem& p) { return p.impulses.is_acting(); });
+    const bool noise = any_problem_has([](const Problem& p) { return p.noise.is_acting(); });
     std::vector<std::string> excitation;
     const bool parametric =
         any_problem_has([](const Problem& p) { return p.impulse_factor.has_value(); });
@@ -204,8 +204,8 @@ class ProblemStatement {
     const auto add = [&](const std::string& definition) {
       html += fmt::format("<p class=\"formula\">{}</p>\n", definition);
     };
-    if (const auto factor =
-            common_formula_text([](const Problem& p) { return p.impulses.parameters().factor; })) {
+    if (const auto factor = common_formula_text(
+            [](const Problem& p) { return p.impulses.impulse_parameters().factor; })) {
       add(fmt::format("b(y) = {}", formula_html(*factor)));
     }
     if (const auto factor = common_formula_text([](const Problem& p) { return p.noise.factor; })) {
@@ -222,7 +222,7 @@ class ProblemStatement {
           common_formula_text([&](const Problem& p) -> std::optional<std::string> {
             const auto& wall = p.system.walls().*side;
             if (!wall || wall->has_constant_restitution()) return std::nullopt;
-            return wall->restitution_formula->text();
+            return wall->restitution_formula->formula_text();
           });
       if (!restitution) return;
       add(fmt::format("r<sub>{}</sub>(u) = {} &emsp; with the impact speed u = |y′<sub>−</sub>|",
@@ -259,8 +259,9 @@ class ProblemStatement {
   // A problem without wall parameters has the single wall of the paper's oscillator, at y = 0 with
   // the restitution coefficient r.
   bool has_only_wall_at_zero() const {
-    return !has_right_wall() &&
-           !any_problem_has([](const Problem& p) { return !p.system.wall_parameters().empty(); });
+    return !has_right_wall() && !any_problem_has([](const Problem& p) {
+      return !p.system.wall_parameters().is_section_absent();
+    });
   }
   std::string wall_conditions_html() const {
     if (has_only_wall_at_zero()) {
@@ -295,7 +296,7 @@ std::string problem_statement(std::span<const Problem* const> problems) {
   });
   if (has_base_class_equation)
     return fmt::format("{}<p>{}{}</p>\n", kBaseClassStatement, kImpulses, kUnknownText);
-  return ProblemStatement(problems).html();
+  return EquationOfMotionHtml(problems).html();
 }
 
 }  // namespace fpkcheck::report

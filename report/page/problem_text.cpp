@@ -14,8 +14,8 @@
 namespace fpkcheck::report {
 namespace {
 
-using problem::DisplayedParameter;
 using problem::Problem;
+using problem::ReportedParameter;
 using transform::Solution;
 
 constexpr const char* kColumnDefinitions =
@@ -96,8 +96,8 @@ std::string budget_parts_html() {
 
 // Returns the value of a parameter in another problem; empty if this problem lacks the parameter.
 std::optional<base::Value> value_in_problem(const Problem& other,
-                                            const DisplayedParameter& parameter) {
-  for (const auto& candidate : problem::displayed_parameters(other)) {
+                                            const ReportedParameter& parameter) {
+  for (const auto& candidate : problem::parameters_for_reports(other)) {
     if (candidate.section == parameter.section && candidate.name == parameter.name) {
       return candidate.value;
     }
@@ -105,7 +105,7 @@ std::optional<base::Value> value_in_problem(const Problem& other,
   return std::nullopt;
 }
 
-bool varies_between_cases(const results::Run& run, const DisplayedParameter& parameter) {
+bool varies_between_cases(const results::Run& run, const ReportedParameter& parameter) {
   return std::ranges::any_of(run.cases, [&](const results::CaseResult& case_result) {
     return value_in_problem(case_result.problem, parameter) != parameter.value;
   });
@@ -113,7 +113,7 @@ bool varies_between_cases(const results::Run& run, const DisplayedParameter& par
 
 // Returns the symbol and the meaning of a parameter, "λ, impulses per unit of time", or only the
 // meaning.
-std::string parameter_label(const DisplayedParameter& parameter) {
+std::string parameter_label(const ReportedParameter& parameter) {
   return parameter.typeset.empty() ? parameter.meaning
                                    : parameter.typeset + ", " + parameter.meaning;
 }
@@ -121,11 +121,11 @@ std::string parameter_label(const DisplayedParameter& parameter) {
 }  // namespace
 
 std::string problem_description_html(const results::Run& run) {
-  std::vector<HtmlColumn> columns{{"parameter", Align::left}};
+  std::vector<HtmlTableColumn> columns{{"parameter", TextAlignment::left}};
   for (const auto& case_result : run.cases) columns.push_back({case_result.name()});
   std::vector<std::string> same;
   if (!run.cases.empty()) {
-    for (const auto& parameter : problem::displayed_parameters(run.cases.front().problem)) {
+    for (const auto& parameter : problem::parameters_for_reports(run.cases.front().problem)) {
       if (!varies_between_cases(run, parameter)) {
         same.push_back(fmt::format("{} = {}", parameter_label(parameter),
                                    parameter_value_text(parameter.value)));
@@ -153,7 +153,7 @@ std::string problem_description_html(const results::Run& run) {
 std::string varying_parameters_text(const results::Run& run,
                                     const results::CaseResult& case_result) {
   std::vector<std::string> parts;
-  for (const auto& parameter : problem::displayed_parameters(case_result.problem)) {
+  for (const auto& parameter : problem::parameters_for_reports(case_result.problem)) {
     if (!varies_between_cases(run, parameter)) continue;
     const std::string& symbol = parameter.typeset.empty() ? parameter.meaning : parameter.typeset;
     parts.push_back(fmt::format("{} = {}", symbol, parameter_value_text(parameter.value)));
@@ -178,12 +178,12 @@ std::string glossary_html(const results::Run& run) {
 }
 
 std::string timings_table_html(const results::Run& run) {
-  std::vector<HtmlColumn> columns{{"solution", Align::left}};
+  std::vector<HtmlTableColumn> columns{{"solution", TextAlignment::left}};
   for (const Solution* solution : distinct_solutions(run)) {
     columns.front().cells.push_back(solution->id());
   }
   for (const auto& case_result : run.cases) {
-    HtmlColumn column{case_result.name()};
+    HtmlTableColumn column{case_result.name()};
     double all = 0;
     for (const auto& id : columns.front().cells) {
       const Solution* solution = case_result.find(id);

@@ -36,25 +36,26 @@ constexpr const char* kLegendHint =
     "of this case; a double click hides all other solutions.</p>\n";
 bool has_simulation(const results::CaseResult& case_result) {
   return std::ranges::any_of(case_result.solutions, [](const transform::Solution& solution) {
-    return solution.identity.role == transform::SolutionRole::simulation && solution.is_ok();
+    return solution.identity.role == transform::SolutionRole::simulation &&
+           solution.has_status_ok();
   });
 }
 
-struct CaseSubsection {
+struct ReportCaseSubsection {
   std::string anchor, name;
 };
 
 /// The section of a case with its plots. The density plots come first; all other subsections are
 /// closed <details> elements.
-class CaseSection {
+class ReportCaseSection {
  public:
-  CaseSection(const results::Run& run, const results::CaseResult& case_result,
-              const std::string& id)
+  ReportCaseSection(const results::Run& run, const results::CaseResult& case_result,
+                    const std::string& id)
       : id_(id) {
     const std::string reference = describe_reference(case_result);
-    const std::string parameters = run.cases.size() > 1
-                                       ? varying_parameters_text(run, case_result)
-                                       : problem::parameters_text(case_result.problem, true);
+    const std::string parameters =
+        run.cases.size() > 1 ? varying_parameters_text(run, case_result)
+                             : problem::non_default_parameters_text(case_result.problem, true);
     html_ = fmt::format("<section id=\"{}\" class=\"case\">\n<h2>{} <small>{}</small></h2>\n", id,
                         escape_html(case_result.name()), escape_html(parameters));
     const std::string hint = has_simulation(case_result) ? kSimulationHint : "";
@@ -97,7 +98,7 @@ class CaseSection {
   }
 
   const std::string& html() const { return html_; }
-  const std::vector<CaseSubsection>& subsections() const { return subsections_; }
+  const std::vector<ReportCaseSubsection>& subsections() const { return subsections_; }
 
   std::string plots_json_text() const {
     return fmt::format(R"({{"plots":{},"maps":{},"errors":{}}})", plots_json(plots_), maps_,
@@ -116,7 +117,7 @@ class CaseSection {
     html_ += collapsible_html(subsections_.back().anchor, heading, html);
   }
   void add_plots(const std::string& anchor, const std::string& heading,
-                 const std::string& introduction, const std::vector<PagePlot>& plots) {
+                 const std::string& introduction, const std::vector<ReportPagePlot>& plots) {
     if (plots.empty()) return;
     begin_subsection(anchor, heading);
     html_ += introduction + plots_html(plots);
@@ -124,8 +125,8 @@ class CaseSection {
   }
 
   std::string id_, html_;
-  std::vector<CaseSubsection> subsections_;
-  std::vector<PagePlot> plots_;
+  std::vector<ReportCaseSubsection> subsections_;
+  std::vector<ReportPagePlot> plots_;
   std::string maps_ = "null", errors_ = "null";
 };
 
@@ -135,15 +136,15 @@ std::string link_html(std::string_view anchor, std::string_view text) {
   return fmt::format("<a href=\"#{}\">{}</a>", escape_html(anchor), escape_html(text));
 }
 
-std::string section_html(const PageSection& section) {
+std::string section_html(const ReportPageSection& section) {
   return fmt::format("<section id=\"{}\">\n", escape_html(section.anchor)) +
          html_element("h2", section.heading) + section.html + "</section>\n";
 }
 
 // Returns links to the sections of the page. If the run has few cases, the sections have direct
 // links. A menu lists all cases with their parameters and subsections.
-std::string navigation_html(const results::Run& run, const std::vector<CaseSection>& sections,
-                            const std::vector<PageSection>& others) {
+std::string navigation_html(const results::Run& run, const std::vector<ReportCaseSection>& sections,
+                            const std::vector<ReportPageSection>& others) {
   constexpr std::size_t kMaxDirectLinks = 6;
   std::string html = "<nav aria-label=\"Sections\">\n" + link_html("verdict", "Verdict") + '\n';
   for (const auto& other : others) html += link_html(other.anchor, other.heading) + '\n';
@@ -177,8 +178,8 @@ std::string timings_section_html(const results::Run& run) {
 
 }  // namespace
 
-std::string report_page_html(const results::Run& run, const Supplement& supplement) {
-  std::vector<CaseSection> sections;
+std::string report_page_html(const results::Run& run, const ReportSupplement& supplement) {
+  std::vector<ReportCaseSection> sections;
   std::vector<std::string> anchors;
   std::string cases, plots, others;
   for (std::size_t k = 0; k < run.cases.size(); ++k) {

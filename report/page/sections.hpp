@@ -50,8 +50,8 @@ std::string verdict_html(const results::Run& run, const std::vector<std::string>
 /// distance of p(y) and p(y') from the reference. A line marks the distance compare::kCloseL1, and
 /// a rectangle covers distances below the error estimate of the references. The picture is empty if
 /// the run has no distances from a reference.
-std::string distance_plot(const results::Run& run,
-                          const std::vector<SolutionAgreements>& agreement_rows);
+std::string reference_distance_plot_svg(const results::Run& run,
+                                        const std::vector<SolutionAgreements>& agreement_rows);
 
 /// Returns the table of the solutions of a case. Each row has the equation and impact condition,
 /// status, moments, distances from the solutions of the full problem, mass, energy residual and
@@ -78,8 +78,8 @@ std::string diagnostics_tables_html(const results::CaseResult& case_result);
 
 /// Returns tables of the metrics of the solvers. The table of a family of methods has a column for
 /// each solution and a row for each metric. Grouped metrics ("support.edge_density") come last. The
-/// tables omit lists (coefficients, quantiles), metrics without a value in the family, and metrics
-/// that repeat an option.
+/// tables of metrics omit lists (coefficients, quantiles), metrics without a value in the family,
+/// and metrics that repeat an option.
 std::string metric_tables_html(const results::CaseResult& case_result);
 
 /// Returns a paragraph that explains the figure and tables of the error budget, and names the
@@ -90,33 +90,35 @@ std::string budget_introduction_html(const results::CaseResult& case_result);
 std::string budget_tables_html(const results::CaseResult& case_result);
 
 /// The difference between the joint density of a solution and the joint density of the reference.
-struct JointDifference {
+struct JointDensityDifference {
   std::string solution;  ///< id of the solution
   double l1;             ///< L1 distance from the reference over all common cells, including atoms
-  QuantisedSignedRoots values;  ///< cell differences in the order of JointMaps::reference_density
+  QuantisedSignedRoots
+      values;  ///< cell differences in the order of JointDensityMaps::reference_density
 };
 
 /// The joint densities of a case on those common cells in which the reference density is large
 /// enough to be shown.
-struct JointMaps {
+struct JointDensityMaps {
   std::string reference;        ///< id of the reference
   std::vector<double> y_edges;  ///< ny + 1 cell edges in y
   std::vector<double> v_edges;  ///< nv + 1 cell edges in y'
   /// Reference density in rows of constant y', shape (nv, ny).
   std::vector<double> reference_density;
-  std::array<double, 2> y_bulk, v_bulk;      ///< ranges in which the reference exceeds peak/500
-  std::vector<JointDifference> differences;  ///< closures (closest first), then all other solutions
+  std::array<double, 2> y_bulk, v_bulk;  ///< ranges in which the reference exceeds peak/500
+  std::vector<JointDensityDifference>
+      differences;  ///< closures (closest first), then all other solutions
 };
 
 /// @return the joint densities on the common cells; empty if the case has no reference, or no `ok`
 /// solution besides the reference
-std::optional<JointMaps> make_joint_maps(const results::CaseResult& case_result);
+std::optional<JointDensityMaps> make_joint_maps(const results::CaseResult& case_result);
 
 /// Returns the HTML elements in which page.js draws the heat maps of joint densities.
-std::string joint_maps_html(const JointMaps& maps, const std::string& prefix);
+std::string joint_maps_html(const JointDensityMaps& maps, const std::string& prefix);
 
 /// Returns the heat maps of joint densities as JSON, the input of the script page.js.
-std::string joint_maps_json(const JointMaps& maps, const std::string& prefix);
+std::string joint_maps_json(const JointDensityMaps& maps, const std::string& prefix);
 
 /// Returns the HTML elements of the heat maps of a figure: a control that selects a choice, and a
 /// place for each panel of a choice. The script page.js draws the maps.
@@ -137,6 +139,6 @@ std::string heat_maps_json(const Figure& figure, const std::string& prefix);
 /// densities and diagnostics. Data that the run did not save are omitted.
 /// @param supplement texts of a command. The summary is at the top of the page, and the sections
 /// precede the description of the problem.
-std::string report_page_html(const results::Run& run, const Supplement& supplement = {});
+std::string report_page_html(const results::Run& run, const ReportSupplement& supplement = {});
 
 }  // namespace fpkcheck::report

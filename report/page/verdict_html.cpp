@@ -14,16 +14,16 @@
 namespace fpkcheck::report {
 namespace {
 
-std::string_view agreement_css_class(Agreement agreement) {
+std::string_view agreement_css_class(AgreementWithReference agreement) {
   switch (agreement) {
-    case Agreement::reference:
+    case AgreementWithReference::reference:
       return "is-reference";
-    case Agreement::indistinguishable:
-    case Agreement::close:
+    case AgreementWithReference::indistinguishable:
+    case AgreementWithReference::close:
       return "is-close";
-    case Agreement::distant:
+    case AgreementWithReference::distant:
       return "is-off";
-    case Agreement::no_density:
+    case AgreementWithReference::no_density:
       return "is-none";
     default:
       return "";
@@ -32,19 +32,19 @@ std::string_view agreement_css_class(Agreement agreement) {
 
 std::string colour_key_html(const std::vector<SolutionAgreements>& all) {
   struct Entry {
-    Agreement agreement;
+    AgreementWithReference agreement;
     std::string meaning;
   };
-  const Entry entries[] = {
-      {Agreement::reference, "the reference"},
-      {Agreement::close, fmt::format("within L1 {:g} of the reference", compare::kCloseL1)},
-      {Agreement::distant, "farther from the reference"},
-      {Agreement::no_density, "no admissible density found"}};
+  const Entry entries[] = {{AgreementWithReference::reference, "the reference"},
+                           {AgreementWithReference::close,
+                            fmt::format("within L1 {:g} of the reference", compare::kCloseL1)},
+                           {AgreementWithReference::distant, "farther from the reference"},
+                           {AgreementWithReference::no_density, "no admissible density found"}};
   std::string html;
   for (const auto& [agreement, meaning] : entries) {
     const auto colour = agreement_css_class(agreement);
     const bool there = std::ranges::any_of(all, [&](const SolutionAgreements& row) {
-      return std::ranges::any_of(row.entries, [&](const AgreementInCase& entry) {
+      return std::ranges::any_of(row.entries, [&](const SolutionAgreementInCase& entry) {
         return agreement_css_class(entry.agreement) == colour;
       });
     });
@@ -53,17 +53,18 @@ std::string colour_key_html(const std::vector<SolutionAgreements>& all) {
   return html.empty() ? "" : "<p class=\"small key\">" + html + "</p>\n";
 }
 
-std::string tooltip_text(const AgreementInCase& entry) {
+std::string tooltip_text(const SolutionAgreementInCase& entry) {
   if (entry.solution == nullptr) return "";
-  if (entry.agreement == Agreement::reference) return "the reference";
+  if (entry.agreement == AgreementWithReference::reference) return "the reference";
   std::string text(name(entry.solution->status));
-  if (entry.agreement == Agreement::indistinguishable) text += ", indistinguishable";
+  if (entry.agreement == AgreementWithReference::indistinguishable) text += ", indistinguishable";
   return text;
 }
 
-std::string distance_cell_html(const AgreementInCase& entry, const std::optional<double>& l1,
-                               bool with_mark) {
-  const std::string text = entry.agreement == Agreement::reference ? "ref" : number_text(l1, 2);
+std::string distance_cell_html(const SolutionAgreementInCase& entry,
+                               const std::optional<double>& l1, bool with_mark) {
+  const std::string text =
+      entry.agreement == AgreementWithReference::reference ? "ref" : number_text(l1, 2);
   const char mark = agreement_mark(entry);
   const std::string marked = with_mark && mark != ' '
                                  ? fmt::format("<sup>{}</sup>", escape_html(std::string(1, mark)))
@@ -123,12 +124,12 @@ std::string verdict_paragraph_html(const std::string& sentence) {
 }
 
 std::string verdict_html(const results::Run& run, const std::vector<std::string>& anchors) {
-  const Verdict run_verdict = make_verdict(run);
+  const RunVerdict run_verdict = make_verdict(run);
   std::string html = "<section id=\"verdict\">\n";
   for (const auto& sentence : run_verdict.answer) html += verdict_paragraph_html(sentence);
   html += "<div class=\"front\">\n<div>\n" +
           distance_matrix_html(run, run_verdict.agreement_rows, anchors) + "</div>\n";
-  html += distance_plot(run, run_verdict.agreement_rows) + "</div>\n";
+  html += reference_distance_plot_svg(run, run_verdict.agreement_rows) + "</div>\n";
   html += html_element("h2", "Outcome of each method") + verdict_lines_html(run_verdict.lines);
   html += html_element("h2", "Recommendation");
   for (const auto& sentence : run_verdict.recommendation) html += html_element("p", sentence);

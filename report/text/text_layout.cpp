@@ -13,9 +13,9 @@
 namespace fpkcheck::report {
 namespace {
 
-std::size_t table_width(const std::vector<TextColumn>& shown_columns, std::size_t gap) {
+std::size_t table_width(const std::vector<TextTableColumn>& shown_columns, std::size_t gap) {
   std::size_t total = 0;
-  for (const auto& column : shown_columns) total += column.width() + gap;
+  for (const auto& column : shown_columns) total += column.column_width() + gap;
   return total - std::min(total, gap);
 }
 
@@ -34,12 +34,12 @@ fmt::text_style status_style(const std::string& cell) {
   return fmt::fg(fmt::terminal_color::yellow);
 }
 
-std::string group_header_line(const std::vector<TextColumn>& all, const std::string& gap) {
+std::string group_header_line(const std::vector<TextTableColumn>& all, const std::string& gap) {
   std::string line;
   for (std::size_t c = 0; c < all.size();) {
-    std::size_t span = all[c].width(), next = c + 1;
+    std::size_t span = all[c].column_width(), next = c + 1;
     for (; next < all.size() && !all[c].group.empty() && all[next].group == all[c].group; ++next) {
-      span += gap.size() + all[next].width();
+      span += gap.size() + all[next].column_width();
     }
     const std::string text = all[c].group.empty() ? "" : ' ' + all[c].group + ' ';
     line += fmt::format(fmt::runtime(text.empty() ? "{: ^{}}" : "{:-^{}}"), text, span) + gap;
@@ -48,18 +48,18 @@ std::string group_header_line(const std::vector<TextColumn>& all, const std::str
   return without_trailing_spaces(line);
 }
 
-std::string align_cell(const TextColumn& column, const std::string& text) {
-  return column.left_aligned ? fmt::format("{:<{}}", text, column.width())
-                             : fmt::format("{:>{}}", text, column.width());
+std::string align_cell(const TextTableColumn& column, const std::string& text) {
+  return column.left_aligned ? fmt::format("{:<{}}", text, column.column_width())
+                             : fmt::format("{:>{}}", text, column.column_width());
 }
 
-std::string header_line(const std::vector<TextColumn>& all, const std::string& gap) {
+std::string header_line(const std::vector<TextTableColumn>& all, const std::string& gap) {
   std::string line;
   for (const auto& column : all) line += align_cell(column, column.header) + gap;
   return without_trailing_spaces(line);
 }
 
-std::string row_line(const std::vector<TextColumn>& all, const std::string& gap, std::size_t k,
+std::string row_line(const std::vector<TextTableColumn>& all, const std::string& gap, std::size_t k,
                      bool colour) {
   std::string line;
   for (const auto& column : all) {
@@ -76,33 +76,35 @@ std::string bold_line(const std::string& line) {
 
 }  // namespace
 
-std::size_t TextColumn::width() const {
+std::size_t TextTableColumn::column_width() const {
   std::size_t width = header.size();
   for (const auto& cell : cells) width = std::max(width, cell.size());
   return width;
 }
 
-void add_table_row(std::vector<TextColumn>& columns, const std::vector<std::string>& cells) {
+void add_table_row(std::vector<TextTableColumn>& columns, const std::vector<std::string>& cells) {
   for (std::size_t k = 0; k < columns.size(); ++k) columns[k].cells.push_back(cells.at(k));
 }
 
-TextColumn make_status_column() { return {"", "status", true, kAlwaysShown, {}, true}; }
+TextTableColumn make_status_column() { return {"", "status", true, kAlwaysShown, {}, true}; }
 
-std::vector<TextColumn> select_columns_to_fit(std::vector<TextColumn> columns,
-                                              const TextFormat& format) {
+std::vector<TextTableColumn> select_columns_to_fit(std::vector<TextTableColumn> columns,
+                                                   const TerminalTextFormat& format) {
   while (table_width(columns, 1) > format.width) {
-    const int least = std::ranges::min_element(columns, {}, &TextColumn::importance)->importance;
+    const int least =
+        std::ranges::min_element(columns, {}, &TextTableColumn::importance)->importance;
     if (least == kAlwaysShown) break;
-    std::erase_if(columns, [&](const TextColumn& column) { return column.importance == least; });
+    std::erase_if(columns,
+                  [&](const TextTableColumn& column) { return column.importance == least; });
   }
   return columns;
 }
 
-std::string omitted_column_names(const std::vector<TextColumn>& all,
-                                 const std::vector<TextColumn>& shown) {
+std::string omitted_column_names(const std::vector<TextTableColumn>& all,
+                                 const std::vector<TextTableColumn>& shown) {
   std::vector<std::string> names;
   for (const auto& column : all) {
-    const auto same = [&](const TextColumn& other) {
+    const auto same = [&](const TextTableColumn& other) {
       return other.group == column.group && other.header == column.header;
     };
     const std::string& name = column.group.empty() ? column.header : column.group;
@@ -112,12 +114,13 @@ std::string omitted_column_names(const std::vector<TextColumn>& all,
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string format_text_table(std::vector<TextColumn> columns, const TextFormat& format) {
+std::string format_text_table(std::vector<TextTableColumn> columns,
+                              const TerminalTextFormat& format) {
   columns = select_columns_to_fit(std::move(columns), format);
   if (columns.empty()) return "";
   const std::string gap(table_width(columns, 2) <= format.width ? 2 : 1, ' ');
   std::string head;
-  if (std::ranges::any_of(columns, [](const TextColumn& c) { return !c.group.empty(); })) {
+  if (std::ranges::any_of(columns, [](const TextTableColumn& c) { return !c.group.empty(); })) {
     head = group_header_line(columns, gap);
     if (format.colour) head = bold_line(head);
   }

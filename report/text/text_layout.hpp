@@ -8,9 +8,9 @@
 
 namespace fpkcheck::report {
 
-struct TextFormat {
+struct TerminalTextFormat {
   // This constructor is not explicit, since most callers set only the text width.
-  TextFormat(std::size_t characters = 100, bool with_colour = false)  // NOLINT
+  TerminalTextFormat(std::size_t characters = 100, bool with_colour = false)  // NOLINT
       : width(characters), colour(with_colour) {}
 
   std::size_t width;
@@ -24,7 +24,7 @@ std::string wrap_text(std::string_view text, std::size_t width, std::size_t inde
 
 inline constexpr const char* kMissingCell = "-";
 
-struct TextColumn {
+struct TextTableColumn {
   std::string group;  ///< common header above neighbouring columns of the same group
   std::string header;
   bool left_aligned;
@@ -33,29 +33,30 @@ struct TextColumn {
   /// Whether the cells are names of statuses, which are shown in the colour of the status.
   bool is_status = false;
 
-  std::size_t width() const;
+  std::size_t column_width() const;
 };
 
 /// Importance of a column that is never omitted.
 inline constexpr int kAlwaysShown = std::numeric_limits<int>::max();
 
-TextColumn make_status_column();
+TextTableColumn make_status_column();
 
 /// Adds a row with one cell for each column.
-void add_table_row(std::vector<TextColumn>& columns, const std::vector<std::string>& cells);
+void add_table_row(std::vector<TextTableColumn>& columns, const std::vector<std::string>& cells);
 
 /// Returns the columns that fit into the width of the format. The least important columns are
 /// omitted first.
-std::vector<TextColumn> select_columns_to_fit(std::vector<TextColumn> columns,
-                                              const TextFormat& format);
+std::vector<TextTableColumn> select_columns_to_fit(std::vector<TextTableColumn> columns,
+                                                   const TerminalTextFormat& format);
 
 /// Returns the names of the columns of `all` that are not in `shown`: "L1 to fd-kf, energy". The
 /// text is empty if no column is omitted.
-std::string omitted_column_names(const std::vector<TextColumn>& all,
-                                 const std::vector<TextColumn>& shown);
+std::string omitted_column_names(const std::vector<TextTableColumn>& all,
+                                 const std::vector<TextTableColumn>& shown);
 
 /// Returns the text of a table with column headers and one line for each row. If the columns exceed
 /// the width, the least important columns are omitted.
-std::string format_text_table(std::vector<TextColumn> columns, const TextFormat& format);
+std::string format_text_table(std::vector<TextTableColumn> columns,
+                              const TerminalTextFormat& format);
 
 }  // namespace fpkcheck::report

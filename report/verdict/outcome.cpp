@@ -35,7 +35,7 @@ std::string_view status_meaning(Status status) {
 
 // Returns a text on the largest L1 distances over the cases with a given agreement: "L1 distance up
 // to .. in 2 of 4 cases".
-std::string largest_distance_text(const SolutionAgreements& row, Agreement agreement,
+std::string largest_distance_text(const SolutionAgreements& row, AgreementWithReference agreement,
                                   const char* how, int cases) {
   MarginalDistances most{};
   for (const auto& entry : row.entries) {
@@ -50,8 +50,9 @@ std::vector<std::string> missing_density_texts(const SolutionAgreements& row, in
   std::vector<std::string> parts;
   for (const auto& [status, name, meaning] : transform::kStatusNames) {
     const auto count =
-        std::ranges::count_if(row.entries, [sought = status](const AgreementInCase& entry) {
-          return entry.agreement == Agreement::no_density && entry.solution->status == sought;
+        std::ranges::count_if(row.entries, [sought = status](const SolutionAgreementInCase& entry) {
+          return entry.agreement == AgreementWithReference::no_density &&
+                 entry.solution->status == sought;
         });
     if (count == 0) continue;
     parts.push_back(fmt::format("{}{}: {}", name, case_count_phrase(static_cast<int>(count), cases),
@@ -77,19 +78,20 @@ std::string case_count_phrase(int count, int cases) {
 
 std::string solution_outcome_text(const SolutionAgreements& row, const std::string& reference,
                                   int cases) {
-  const int close = row.case_count_with_agreement(Agreement::close);
-  const int same = row.case_count_with_agreement(Agreement::indistinguishable) +
-                   row.case_count_with_agreement(Agreement::reference);
+  const int close = row.case_count_with_agreement(AgreementWithReference::close);
+  const int same = row.case_count_with_agreement(AgreementWithReference::indistinguishable) +
+                   row.case_count_with_agreement(AgreementWithReference::reference);
   std::vector<std::string> parts;
   if (same > 0) {
     parts.push_back(fmt::format("within the error estimate of {}{}", reference,
                                 same == cases ? "" : case_count_phrase(same, cases)));
   }
-  if (close > 0) parts.push_back(largest_distance_text(row, Agreement::close, "at most ", cases));
-  if (row.case_count_with_agreement(Agreement::distant) > 0) {
-    parts.push_back(largest_distance_text(row, Agreement::distant, "up to ", cases));
+  if (close > 0)
+    parts.push_back(largest_distance_text(row, AgreementWithReference::close, "at most ", cases));
+  if (row.case_count_with_agreement(AgreementWithReference::distant) > 0) {
+    parts.push_back(largest_distance_text(row, AgreementWithReference::distant, "up to ", cases));
   }
-  if (const int no_reference = row.case_count_with_agreement(Agreement::no_reference);
+  if (const int no_reference = row.case_count_with_agreement(AgreementWithReference::no_reference);
       no_reference > 0) {
     parts.push_back("no reference" + case_count_phrase(no_reference, cases));
   }
@@ -106,20 +108,21 @@ std::string outcome_text_without_distances(const SolutionAgreements& row, int ca
   return parts.empty() ? "unknown" : parts.front();
 }
 
-char agreement_mark(const AgreementInCase& entry) {
+char agreement_mark(const SolutionAgreementInCase& entry) {
   if (entry.solution == nullptr) return kNone;
   const auto found =
       std::ranges::find(kStatusMarks, entry.solution->status, &std::pair<Status, char>::first);
   if (found != std::end(kStatusMarks)) return found->second;
-  return entry.agreement == Agreement::indistinguishable ? kSame : kNone;
+  return entry.agreement == AgreementWithReference::indistinguishable ? kSame : kNone;
 }
 
 std::vector<std::string> agreement_mark_meanings(
     const std::vector<SolutionAgreements>& agreement_rows) {
   const auto occurs = [&](char mark) {
     return std::ranges::any_of(agreement_rows, [&](const SolutionAgreements& row) {
-      return std::ranges::any_of(
-          row.entries, [&](const AgreementInCase& entry) { return agreement_mark(entry) == mark; });
+      return std::ranges::any_of(row.entries, [&](const SolutionAgreementInCase& entry) {
+        return agreement_mark(entry) == mark;
+      });
     });
   };
   std::vector<std::string> meanings;

@@ -150,11 +150,13 @@ VerdictLine verdict_line(const std::vector<const SolutionAgreements*>& members, 
   bool all = true, first = true;
   for (const SolutionAgreements* row : members) {
     all = all && row->reproduced_case_count() == row->case_count();
-    const auto largest_l1 = row->largest_l1();
+    const auto largest_l1_distance = row->largest_l1_distance();
     const std::string order = fmt::format("{}{}", first ? "n = " : "", *row->identity->order);
     parts.push_back(
-        largest_l1 ? fmt::format("{} has {}{:.2g}", order, first ? "L1 distance " : "", *largest_l1)
-                   : fmt::format("{} is {}", order, outcome_text_without_distances(*row, cases)));
+        largest_l1_distance
+            ? fmt::format("{} has {}{:.2g}", order, first ? "L1 distance " : "",
+                          *largest_l1_distance)
+            : fmt::format("{} is {}", order, outcome_text_without_distances(*row, cases)));
     first = false;
   }
   return {
@@ -178,9 +180,10 @@ std::vector<VerdictLine> verdict_lines(const RunAssessment& assessed, int cases)
     }
   }
   for (const auto& row : all) {
-    const bool solves_it = std::ranges::any_of(row.entries, [](const AgreementInCase& entry) {
-      return entry.solution != nullptr && compare::is_solution_of_full_problem(*entry.solution);
-    });
+    const bool solves_it =
+        std::ranges::any_of(row.entries, [](const SolutionAgreementInCase& entry) {
+          return entry.solution != nullptr && compare::is_solution_of_full_problem(*entry.solution);
+        });
     const SolutionRole role = row.identity->role;
     if (solves_it || (role != SolutionRole::equation && role != SolutionRole::simulation)) continue;
     lines.push_back(verdict_line(row, reference, cases));
@@ -235,10 +238,10 @@ Words recommendation_sentences(const RunAssessment& assessed, int cases) {
 
 }  // namespace
 
-Verdict make_verdict(const results::Run& run) {
+RunVerdict make_verdict(const results::Run& run) {
   const int cases = static_cast<int>(run.cases.size());
   RunAssessment assessed = results::assess_run(run);
-  Verdict run_verdict{.agreement_rows = {}, .answer = {}, .lines = {}, .recommendation = {}};
+  RunVerdict run_verdict{.agreement_rows = {}, .answer = {}, .lines = {}, .recommendation = {}};
   if (cases == 0) return run_verdict;
   for (const auto& case_result : run.cases) {
     if (!case_result.bounds) continue;

@@ -9,9 +9,9 @@
 
 namespace fpkcheck::report {
 
-using compare::Agreement;
-using results::AgreementInCase;
+using compare::AgreementWithReference;
 using results::MarginalDistances;
+using results::SolutionAgreementInCase;
 using results::SolutionAgreements;
 
 /// Returns the text of the L1 distances of p(y) and p(y'): "0.0061 in p(y) and 0.0051 in p(y')".
@@ -35,7 +35,7 @@ std::string outcome_text_without_distances(const SolutionAgreements& row, int ca
 /// Returns the mark beside the distances of a solution in the matrix of the verdict. A mark
 /// indicates a status other than `ok`, or that the solution is indistinguishable from the
 /// reference. For all other solutions the mark is a blank.
-char agreement_mark(const AgreementInCase& entry);
+char agreement_mark(const SolutionAgreementInCase& entry);
 
 /// Returns the marks in the matrix of the verdict with their meanings, such as "~ inaccurate".
 std::vector<std::string> agreement_mark_meanings(
@@ -49,7 +49,7 @@ struct VerdictLine {
 };
 
 /// The main result of a run, printed before all tables.
-struct Verdict {
+struct RunVerdict {
   /// Rows of the matrix of the verdict, one for each solution.
   std::vector<SolutionAgreements> agreement_rows;
   /// Paragraphs on contradictions with the guaranteed bounds, on the accuracy of the reference, and
@@ -64,16 +64,16 @@ struct Verdict {
   std::vector<std::string> recommendation;
 };
 
-Verdict make_verdict(const results::Run& run);
+RunVerdict make_verdict(const results::Run& run);
 
 /// Returns the answer of the verdict in plain text, broken into lines.
-std::string verdict_answer_text(const Verdict& run_verdict, const TextFormat& format);
+std::string verdict_answer_text(const RunVerdict& run_verdict, const TerminalTextFormat& format);
 
 /// Returns the verdict as plain ASCII text. A run of several cases has a matrix with one row for
 /// each solution. The row of a solution has the L1 distances of p(y) and p(y') from the reference
 /// of each case. As many cases as fit are side by side. Below the matrix are the meanings of its
 /// marks, the lines of the verdict and the recommendation.
-std::string verdict_text(const results::Run& run, const Verdict& run_verdict,
-                         const TextFormat& format);
+std::string verdict_text(const results::Run& run, const RunVerdict& run_verdict,
+                         const TerminalTextFormat& format);
 
 }  // namespace fpkcheck::report

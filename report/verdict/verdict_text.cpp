@@ -22,18 +22,18 @@ std::string short_l1_text(const std::optional<double>& l1) {
   return text;
 }
 
-TextColumn solution_column(const std::vector<SolutionAgreements>& all) {
-  TextColumn column{"", "solution", true, kAlwaysShown};
+TextTableColumn solution_column(const std::vector<SolutionAgreements>& all) {
+  TextTableColumn column{"", "solution", true, kAlwaysShown};
   for (const auto& row : all) column.cells.push_back(row.identity->id);
   return column;
 }
 
-std::pair<TextColumn, TextColumn> case_columns(const std::vector<SolutionAgreements>& all,
-                                               std::size_t k, const std::string& name) {
-  TextColumn y{name, "p(y)", false, kAlwaysShown}, ydot{name, "p(y') ", false, kAlwaysShown};
+std::pair<TextTableColumn, TextTableColumn> case_columns(const std::vector<SolutionAgreements>& all,
+                                                         std::size_t k, const std::string& name) {
+  TextTableColumn y{name, "p(y)", false, kAlwaysShown}, ydot{name, "p(y') ", false, kAlwaysShown};
   for (const auto& row : all) {
-    const AgreementInCase& entry = row.entries[k];
-    const bool is_reference = entry.agreement == Agreement::reference;
+    const SolutionAgreementInCase& entry = row.entries[k];
+    const bool is_reference = entry.agreement == AgreementWithReference::reference;
     y.cells.push_back(is_reference ? "ref" : short_l1_text(entry.y));
     ydot.cells.push_back((is_reference ? "ref" : short_l1_text(entry.ydot)) +
                          agreement_mark(entry));
@@ -41,17 +41,17 @@ std::pair<TextColumn, TextColumn> case_columns(const std::vector<SolutionAgreeme
   return {std::move(y), std::move(ydot)};
 }
 
-std::size_t matrix_width(const std::vector<TextColumn>& columns) {
+std::size_t matrix_width(const std::vector<TextTableColumn>& columns) {
   std::size_t total = 0;
-  for (const auto& column : columns) total += column.width() + 1;
+  for (const auto& column : columns) total += column.column_width() + 1;
   return total - 1;
 }
 
 // Each block of the matrix has as many cases as fit into the width.
 std::string matrix_blocks(const results::Run& run, const std::vector<SolutionAgreements>& all,
-                          const TextFormat& format) {
+                          const TerminalTextFormat& format) {
   std::string text;
-  std::vector<TextColumn> block{solution_column(all)};
+  std::vector<TextTableColumn> block{solution_column(all)};
   const auto flush_block = [&] {
     text += format_text_table(block, format);
     block.resize(1);
@@ -71,14 +71,14 @@ std::string matrix_blocks(const results::Run& run, const std::vector<SolutionAgr
 
 }  // namespace
 
-std::string verdict_answer_text(const Verdict& run_verdict, const TextFormat& format) {
+std::string verdict_answer_text(const RunVerdict& run_verdict, const TerminalTextFormat& format) {
   std::string text;
   for (const auto& sentence : run_verdict.answer) text += wrap_text(sentence, format.width);
   return text;
 }
 
-std::string verdict_text(const results::Run& run, const Verdict& run_verdict,
-                         const TextFormat& format) {
+std::string verdict_text(const results::Run& run, const RunVerdict& run_verdict,
+                         const TerminalTextFormat& format) {
   std::string text;
   if (run.cases.size() > 1) {
     text += matrix_blocks(run, run_verdict.agreement_rows, format);

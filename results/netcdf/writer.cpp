@@ -147,7 +147,7 @@ std::string NetCdfWriter::close_and_take_bytes() {
 
 void write_problem_attributes(NetCdfWriter& file, const problem::Problem& problem, int variable) {
   file.write_attribute("case", problem.name, variable);
-  for (const auto& parameter : problem::displayed_parameters(problem)) {
+  for (const auto& parameter : problem::parameters_for_reports(problem)) {
     const std::string name =
         parameter.section == "system" ? parameter.name : parameter.section + '_' + parameter.name;
     if (const auto* word = std::get_if<std::string>(&parameter.value)) {

@@ -33,8 +33,8 @@ class NetCdfWriter {
   int write_variable(const std::string& name, const std::vector<int>& dimensions,
                      const std::string& long_name, std::span<const double> values);
 
-  /// Defines the dimension `name`. Writes the cell centres as its coordinate variable, and the cell
-  /// edges as the variable `name`_bounds.
+  /// Defines the dimension `name`. Writes the cell centres as the coordinate variable of the
+  /// dimension, and the cell edges as the variable `name`_bounds.
   /// @param bounds id of a dimension of length 2
   /// @return the id of the dimension
   int write_cell_coordinate(const std::string& name, const std::string& long_name, int bounds,

@@ -15,7 +15,7 @@ inline Eigen::VectorXd power_coefficients(const numerics::SplineBasis& basis, in
     Eigen::VectorXd symmetric = Eigen::VectorXd::Zero(n + 1);  // elementary symmetric sums
     symmetric(0) = 1;
     for (int a = 1; a <= p; ++a) {
-      for (int k = n; k > 0; --k) symmetric(k) += basis.knot(i + a) * symmetric(k - 1);
+      for (int k = n; k > 0; --k) symmetric(k) += basis.spline_knot(i + a) * symmetric(k - 1);
     }
     double choose = 1;
     for (int k = 1; k <= n; ++k) choose *= static_cast<double>(p - n + k) / k;

@@ -51,7 +51,7 @@ examples:
 }
 
 TEST(Help, AlignsOptionsIndependentlyOfLongNames) {
-  const Help help{
+  const CommandHelpText help{
       "usage: cook\n",
       {{.name = "--flame", .placeholder = "F", .default_value = "low", .text = "how hot"},
        {.name = "--quiet", .short_name = "-q", .text = "without a word of what it does"},

@@ -248,13 +248,14 @@ methods::SolverRegistry registry_stopped_in(const std::string& case_name) {
       methods::Method method = made(values);
       method.uses_all_processors = true;  // each alone, in their order
       method.solve = [solve = method.solve, case_name, id = method.id()](
-                         const problem::Problem& problem, const methods::SolveContext& context) {
+                         const problem::Problem& problem,
+                         const methods::SolverInputContext& context) {
         if (problem.name == case_name && id == "plain") base::request_stop(SIGINT);
         return solve(problem, context);
       };
       return method;
     };
-    registry.add(std::move(solver));
+    registry.add_solver(std::move(solver));
   }
   return registry;
 }

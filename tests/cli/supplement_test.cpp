@@ -15,23 +15,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct RunOutcome {
+struct SimulationRunOutcome {
   int exit_code;
   std::string out, err;
 };
 
-RunOutcome solve(const CommonArguments& common, const Supplement& supplement) {
+SimulationRunOutcome solve(const CommonCommandArguments& common, const RunSupplement& supplement) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
-  const int exit_code = solve_and_report(
-      common,
-      methods::builtin_registry().select_methods("epc-gaussian-n2", {{"accuracy", base::Value()}}),
-      {.supplement =
-           [&](const results::Run& run) {
-             EXPECT_EQ(run.cases.size(), 1u);
-             return supplement;
-           }},
-      "fpkcheck paper");
+  const int exit_code = solve_and_report(common,
+                                         methods::builtin_registry().methods_selected_by_list(
+                                             "epc-gaussian-n2", {{"accuracy", base::Value()}}),
+                                         {.supplement =
+                                              [&](const results::Run& run) {
+                                                EXPECT_EQ(run.cases.size(), 1u);
+                                                return supplement;
+                                              }},
+                                         "fpkcheck paper");
   std::fflush(stdout);
   return {exit_code, testing::internal::GetCapturedStdout(),
           testing::internal::GetCapturedStderr()};
@@ -39,7 +39,7 @@ RunOutcome solve(const CommonArguments& common, const Supplement& supplement) {
 
 TEST(RunSupplement, IsPrintedAfterTheTableAndWrittenToFiles) {
   const tests::TemporaryDirectory directory;
-  CommonArguments common;
+  CommonCommandArguments common;
   common.cases = {"case1"};
   common.out = directory.path().string();
   const auto outcome = solve(common, {.report = {.summary = {"First of all."},
@@ -61,10 +61,10 @@ TEST(RunSupplement, IsPrintedAfterTheTableAndWrittenToFiles) {
 }
 
 TEST(RunSupplement, ReplacesTheSummaryAndSetsTheExitCode) {
-  CommonArguments common;
+  CommonCommandArguments common;
   common.cases = {"case1"};
   common.json = true;
-  Supplement supplement{.report = {}, .json = "{}", .failures = {"why"}};
+  RunSupplement supplement{.report = {}, .json = "{}", .failures = {"why"}};
   supplement.report.text = "not this";
   const auto json = solve(common, supplement);
   EXPECT_EQ(json.exit_code, kFailure);

@@ -24,8 +24,8 @@ Solution solution_named(const char* id) {
   return one;
 }
 
-std::vector<PairDistances> pairs_apart(double y, double ydot) {
-  std::vector<PairDistances> pairs{
+std::vector<SolutionPairDistances> pairs_apart(double y, double ydot) {
+  std::vector<SolutionPairDistances> pairs{
       {.a = "a", .b = "b", .variable = StateVariable::y, .distances = {}},
       {.a = "a", .b = "b", .variable = StateVariable::ydot, .distances = {}}};
   pairs[0].distances.l1 = y;
@@ -73,16 +73,16 @@ TEST(Agreement, AcceptsADistanceAtThe99PercentQuantile) {
 
 TEST(Agreement, AddsTheErrorEstimatesOfBothSolutions) {
   Solution one = solution_named("a"), other = solution_named("b");
-  EXPECT_FALSE(critical_l1_distance(one, other, StateVariable::y, false));
+  EXPECT_FALSE(largest_explained_l1_distance(one, other, StateVariable::y, false));
   EXPECT_TRUE(solutions_agree(one, other, pairs_apart(1, 1)));  // both without error estimates
   one.sampling = {.y = 3e-3, .ydot = 3e-3, .y_99 = 4e-3, .ydot_99 = 6e-3};
   other.sampling = {.y = 1e-3, .ydot = 4e-3, .y_99 = 3e-3};
-  EXPECT_DOUBLE_EQ(*critical_l1_distance(one, other, StateVariable::y, false),
+  EXPECT_DOUBLE_EQ(*largest_explained_l1_distance(one, other, StateVariable::y, false),
                    critical_sampling_l1_distance(5e-3));
-  EXPECT_DOUBLE_EQ(*critical_l1_distance(one, other, StateVariable::ydot, false),
+  EXPECT_DOUBLE_EQ(*largest_explained_l1_distance(one, other, StateVariable::ydot, false),
                    critical_sampling_l1_distance(1e-2));
   other.error = {.y_l1 = 8e-3, .ydot_l1 = 0};
-  EXPECT_DOUBLE_EQ(*critical_l1_distance(one, other, StateVariable::y, false),
+  EXPECT_DOUBLE_EQ(*largest_explained_l1_distance(one, other, StateVariable::y, false),
                    critical_sampling_l1_distance(5e-3) + 1e-2);
 }
 

@@ -67,7 +67,7 @@ TEST(Reference, RanksClosuresAndMarksIndistinguishableOnes) {
   auto solutions = made_up();
   find(solutions, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5};
   const auto comparison = compare_solutions(comparison_axes(tests::paper_case(1)), solutions);
-  const Assessment assessment = assess_solutions(solutions, comparison.pairs);
+  const SolutionsAssessment assessment = assess_solutions(solutions, comparison.pairs);
   const auto ranks = assessment.ranked_closures();
   ASSERT_EQ(ranks.size(), 2u);  // n4 is inadmissible, n8 has no density
   EXPECT_EQ(ranks[0]->id, "epc-gaussian-n6");
@@ -84,7 +84,7 @@ TEST(Reference, RanksClosuresAndMarksIndistinguishableOnes) {
 }
 
 const SolutionAssessment& assessed(const results::CaseResult& case_result, const char* id) {
-  return *case_result.assessment.find(id);
+  return *case_result.assessment.find_solution_assessment(id);
 }
 
 TEST(Agreement, DependsOnBothDistancesToTheReference) {
@@ -92,39 +92,40 @@ TEST(Agreement, DependsOnBothDistancesToTheReference) {
   set_l1(case_result, "epc-gaussian-n6", "mcs", 0.0024, 0.0199);
   set_l1(case_result, "epc-gaussian-n2", "mcs", 0.0024, 0.0201);
   set_l1(case_result, "fd-white", "mcs", 0.0201, 0.001);
-  EXPECT_EQ(assessed(case_result, "epc-gaussian-n6").agreement, Agreement::close);
-  EXPECT_EQ(assessed(case_result, "epc-gaussian-n2").agreement, Agreement::distant);
-  EXPECT_EQ(assessed(case_result, "fd-white").agreement, Agreement::distant);
-  EXPECT_EQ(assessed(case_result, "mcs").agreement, Agreement::reference);
-  EXPECT_DOUBLE_EQ(*assessed(case_result, "epc-gaussian-n6").largest_l1(), 0.0199);
+  EXPECT_EQ(assessed(case_result, "epc-gaussian-n6").agreement, AgreementWithReference::close);
+  EXPECT_EQ(assessed(case_result, "epc-gaussian-n2").agreement, AgreementWithReference::distant);
+  EXPECT_EQ(assessed(case_result, "fd-white").agreement, AgreementWithReference::distant);
+  EXPECT_EQ(assessed(case_result, "mcs").agreement, AgreementWithReference::reference);
+  EXPECT_DOUBLE_EQ(*assessed(case_result, "epc-gaussian-n6").largest_l1_distance(), 0.0199);
 }
 
 TEST(Agreement, IsIndistinguishableWithinTheReferenceError) {
   auto case_result =
       made_up_case();  // expected sampling errors of the simulation: 0.0011 and 0.0015
   set_l1(case_result, "fd-kf", "mcs", 0.0010, 0.0014);
-  EXPECT_EQ(assessed(case_result, "fd-kf").agreement, Agreement::indistinguishable);
+  EXPECT_EQ(assessed(case_result, "fd-kf").agreement, AgreementWithReference::indistinguishable);
   set_l1(case_result, "fd-kf", "mcs", 0.0010, 0.0016);
-  EXPECT_EQ(assessed(case_result, "fd-kf").agreement, Agreement::close);
+  EXPECT_EQ(assessed(case_result, "fd-kf").agreement, AgreementWithReference::close);
   set_l1(case_result, "fd-kf", "mcs", 0.0012, 0.0014);
-  EXPECT_EQ(assessed(case_result, "fd-kf").agreement, Agreement::close);
+  EXPECT_EQ(assessed(case_result, "fd-kf").agreement, AgreementWithReference::close);
 }
 
 TEST(Agreement, OfAnInadmissibleSolutionIsNeverReproduced) {
   auto case_result = made_up_case();
   set_l1(case_result, "epc-gaussian-n4", "mcs", 1e-4, 1e-4);
-  EXPECT_EQ(assessed(case_result, "epc-gaussian-n4").agreement, Agreement::no_density);
-  EXPECT_EQ(assessed(case_result, "epc-gaussian-n8").agreement, Agreement::no_density);
+  EXPECT_EQ(assessed(case_result, "epc-gaussian-n4").agreement, AgreementWithReference::no_density);
+  EXPECT_EQ(assessed(case_result, "epc-gaussian-n8").agreement, AgreementWithReference::no_density);
   EXPECT_FALSE(assessed(case_result, "epc-gaussian-n4").reproduces_reference());
   solution_of(case_result, "epc-gaussian-n4").status = Status::inaccurate;
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_TRUE(assessed(case_result, "epc-gaussian-n4").reproduces_reference());
 }
 
 TEST(Agreement, IsUnknownWithoutAReference) {
   const auto case_result = tests::case_with_first(4);
-  EXPECT_EQ(assessed(case_result, "epc-gaussian-n2").agreement, Agreement::no_reference);
-  EXPECT_EQ(assessed(case_result, "epc-gaussian-n4").agreement, Agreement::no_density);
+  EXPECT_EQ(assessed(case_result, "epc-gaussian-n2").agreement,
+            AgreementWithReference::no_reference);
+  EXPECT_EQ(assessed(case_result, "epc-gaussian-n4").agreement, AgreementWithReference::no_density);
 }
 
 TEST(ReferenceConfirmation, IsTheAgreementOfTheSecondSolutionOfTheFullProblem) {
@@ -138,7 +139,7 @@ TEST(ReferenceConfirmation, IsTheAgreementOfTheSecondSolutionOfTheFullProblem) {
   set_l1(case_result, "fd-kf", "mcs", 0.5, 0.5);
   EXPECT_FALSE(case_result.assessment.confirmation->has_agreement);
   solution_of(case_result, "fd-kf").status = Status::failed;
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_FALSE(case_result.assessment.confirmation);
 }
 

@@ -79,8 +79,9 @@ TEST(ComparisonAxes, MergeDividedBinsByMass) {
     const std::size_t below =
         variable == StateVariable::y ? 0 : 69;  // uniform bins before those at 0
     double mass = 0;
-    for (std::size_t b = below; b < below + 4; ++b) mass += marginal.density[b] * marginal.width(b);
-    EXPECT_NEAR(even.density[below] * even.width(below), mass, 1e-15);
+    for (std::size_t b = below; b < below + 4; ++b)
+      mass += marginal.density[b] * marginal.bin_width(b);
+    EXPECT_NEAR(even.density[below] * even.bin_width(below), mass, 1e-15);
     EXPECT_TRUE(even.lower.empty());
     EXPECT_NEAR(even.density.back(), marginal.density.back(), 1e-15);
     EXPECT_NEAR(even.density[140 - 2], marginal.density[marginal.size() - 2], 1e-15);

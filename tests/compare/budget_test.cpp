@@ -37,7 +37,7 @@ transform::Marginal alternating(const std::vector<double>& edges, StateVariable 
   const std::size_t inner = bins - below - kOuterBins;
   for (std::size_t k = 0; k < bins; ++k) {
     const double uniform =
-        (1 - plateau_mass(edges, variable)) / (static_cast<double>(inner) * m.width(k));
+        (1 - plateau_mass(edges, variable)) / (static_cast<double>(inner) * m.bin_width(k));
     const bool outside = k < below || k >= below + inner;
     m.density.push_back(outside ? kPlateau * std::pow(10, exponent)
                                 : uniform * (1 + (k % 2 == 0 ? amplitude : -amplitude)));
@@ -109,7 +109,7 @@ std::vector<Solution> chain_of_models() {
 
 std::vector<std::string> names(const ErrorBudgetRow& row) {
   std::vector<std::string> result;
-  for (const auto& part : row.parts) result.push_back(part.name());
+  for (const auto& part : row.parts) result.push_back(part.part_name());
   return result;
 }
 
@@ -155,8 +155,9 @@ TEST(Budget, PartsAreDistancesOfConsecutiveModels) {
     EXPECT_NEAR(row.total, l1(0, 5), 1e-12);
     for (std::size_t k = 0; k < row.parts.size(); ++k) {
       const auto& part = row.parts[k];
-      EXPECT_NEAR(part.l1, l1(k, k + 1), 1e-12) << part.name();
-      EXPECT_NEAR(part.tail, f * std::abs(exponents[k] - exponents[k + 1]), 1e-12) << part.name();
+      EXPECT_NEAR(part.l1, l1(k, k + 1), 1e-12) << part.part_name();
+      EXPECT_NEAR(part.tail, f * std::abs(exponents[k] - exponents[k + 1]), 1e-12)
+          << part.part_name();
       EXPECT_EQ(part.from, ids[k]);
       EXPECT_EQ(part.to, ids[k + 1]);
     }
@@ -250,8 +251,8 @@ TEST(Budget, TheTailUsesTheSameBinsForEveryPart) {
 }
 
 TEST(Budget, NamesOfJoinedLinksAreParsed) {
-  const std::vector<Approximation> approximations{
-      Approximation::closure, Approximation::white_noise, Approximation::sampling};
+  const std::vector<ModelApproximation> approximations{
+      ModelApproximation::closure, ModelApproximation::white_noise, ModelApproximation::sampling};
   EXPECT_EQ(name(approximations), "closure + white noise + sampling");
   EXPECT_EQ(parse_approximations(name(approximations)), approximations);
   EXPECT_THROW(parse_approximations("closure + magic"), InputError);
@@ -264,21 +265,21 @@ TEST(Budget, ClosuresAreListedOnceWithTheirRowsAndPartsInTheOrderOfTheChain) {
   budget.push_back(budget[0]);
   budget.back().solution = "another";
   budget.back().parts = {
-      {.approximations = {Approximation::closure, Approximation::impact},
+      {.approximations = {ModelApproximation::closure, ModelApproximation::impact},
        .from = "",
        .to = "",
        .l1 = 1,
        .tail = 1},
-      {.approximations = {Approximation::sampling}, .from = "", .to = "", .l1 = 1, .tail = 1}};
+      {.approximations = {ModelApproximation::sampling}, .from = "", .to = "", .l1 = 1, .tail = 1}};
   const auto closures = group_budget_by_closure(budget, solutions);
   ASSERT_EQ(closures.size(), 2u);
-  EXPECT_EQ(closures[0].rows().size(), 2u);
-  EXPECT_EQ(closures[1].row(StateVariable::ydot), nullptr);
+  EXPECT_EQ(closures[0].existing_budget_rows().size(), 2u);
+  EXPECT_EQ(closures[1].budget_row_of(StateVariable::ydot), nullptr);
   EXPECT_EQ(budget_part_names(closures), (Names{"closure", "impact", "truncation", "discretisation",
                                                 "closure + impact", "sampling"}));
-  EXPECT_TRUE(budget[0].find("sampling")->is_reference_error());
-  EXPECT_FALSE(budget[0].find("truncation")->is_reference_error());
-  EXPECT_EQ(budget[0].find("magic"), nullptr);
+  EXPECT_TRUE(budget[0].find_budget_part("sampling")->is_reference_error());
+  EXPECT_FALSE(budget[0].find_budget_part("truncation")->is_reference_error());
+  EXPECT_EQ(budget[0].find_budget_part("magic"), nullptr);
 }
 
 TEST(Budget, ThePartsBoundTheTotalWhateverTheOrderOfTheModels) {

@@ -20,7 +20,7 @@ using transform::StateVariable;
 struct MadeUp {
   ComparisonAxes axes = comparison_axes(tests::paper_case(1));
   std::vector<Solution> solutions = tests::made_up_solutions(axes);
-  Comparison comparison = compare_solutions(axes, solutions);
+  SolutionComparison comparison = compare_solutions(axes, solutions);
 };
 
 TEST(Comparison, ContainsEveryPairOfSolutionsWithADensity) {
@@ -71,8 +71,9 @@ TEST(Comparison, ClipsNegativeDensitiesOfOkSolutions) {
   ASSERT_NE(kf, solutions.end());
   kf->estimated_marginals.clear();
   transform::GridDensity density{axes.y_edges, axes.v_edges, {}};
-  density.averages.assign(density.ny() * density.nv(), 1e-3);
-  for (std::size_t j = 0; j < density.nv(); ++j) density.averages[20 * density.nv() + j] = -1e-9;
+  density.averages.assign(density.y_cell_count() * density.v_cell_count(), 1e-3);
+  for (std::size_t j = 0; j < density.v_cell_count(); ++j)
+    density.averages[20 * density.v_cell_count() + j] = -1e-9;
   kf->density = density;
   for (const auto status : {transform::Status::ok, transform::Status::inadmissible}) {
     kf->status = status;

@@ -135,7 +135,7 @@ TEST(TailDistance, OmitsAndCountsNoisyAndNonpositiveBins) {
   const auto tail = compute_distances({edges, {0.05, 5, -1}, {}, {}}, b).log10_tail.front();
   EXPECT_NEAR(tail.mean_abs, 1, 1e-14);
   EXPECT_EQ(tail.bins, 1);
-  EXPECT_EQ(tail.bins_omitted, 2);
+  EXPECT_EQ(tail.omitted_bin_count, 2);
 }
 
 TEST(ComparisonAxes, CoverSevenDeviationsWithAnEdgeAtZeroVelocity) {

@@ -11,8 +11,8 @@ using transform::Solution;
 using transform::StateVariable;
 using transform::Status;
 
-ErrorBudgetPart part(Approximation approximation, const std::string& from, const std::string& to,
-                     double l1) {
+ErrorBudgetPart part(ModelApproximation approximation, const std::string& from,
+                     const std::string& to, double l1) {
   return {.approximations = {approximation},
           .from = from,
           .to = to,
@@ -24,14 +24,14 @@ ErrorBudgetPart part(Approximation approximation, const std::string& from, const
 struct Budgets {
   std::vector<Solution> solutions;
   std::vector<ErrorBudgetRow> rows;
-  std::vector<PairDistances> pairs;  ///< of the references
+  std::vector<SolutionPairDistances> pairs;  ///< of the references
 
   std::string limits() const {
     auto case_result = tests::made_up_case();
     case_result.solutions = solutions;
     case_result.pairs = pairs;
     case_result.budget = rows;
-    case_result.assess();
+    case_result.update_assessment();
     return results::limiting_errors_text(case_result);
   }
 
@@ -55,21 +55,21 @@ struct Budgets {
            Status status = Status::ok) {
     add_solution(id, status);
     for (const auto variable : transform::kVariables) {
-      ErrorBudgetPart sampling = part(Approximation::sampling, "fd-kf limit", "mcs", 5e-4);
+      ErrorBudgetPart sampling = part(ModelApproximation::sampling, "fd-kf limit", "mcs", 5e-4);
       sampling.uncertainty.reset();
       sampling.expected = 6e-4;
       sampling.quantile_99 = 8e-4;
-      rows.push_back(
-          {.solution = id,
-           .variable = variable,
-           .reference = "mcs",
-           .total = total,
-           .total_tail = 0,
-           .tail_from = 0,
-           .tail_to = 0,
-           .tail_bins = 0,
-           .parts = {part(Approximation::closure, id, "fd-km4-delta", closure),
-                     part(Approximation::impact, "fd-km4-delta", "fd-km4", impact), sampling}});
+      rows.push_back({.solution = id,
+                      .variable = variable,
+                      .reference = "mcs",
+                      .total = total,
+                      .total_tail = 0,
+                      .tail_from = 0,
+                      .tail_to = 0,
+                      .tail_bins = 0,
+                      .parts = {part(ModelApproximation::closure, id, "fd-km4-delta", closure),
+                                part(ModelApproximation::impact, "fd-km4-delta", "fd-km4", impact),
+                                sampling}});
     }
   }
 };
@@ -110,8 +110,8 @@ TEST(Limits, UseTheDiscretisationErrorWithoutASimulation) {
        .tail_from = 0,
        .tail_to = 0,
        .tail_bins = 0,
-       .parts = {part(Approximation::closure, "epc-polar-n8", "fd-kf", 4e-5),
-                 part(Approximation::discretisation, "fd-kf", "fd-kf limit", 3e-5)}});
+       .parts = {part(ModelApproximation::closure, "epc-polar-n8", "fd-kf", 4e-5),
+                 part(ModelApproximation::discretisation, "fd-kf", "fd-kf limit", 3e-5)}});
   one.rows[0].parts[1].uncertainty = 3e-5;
   EXPECT_EQ(
       one.limits(),

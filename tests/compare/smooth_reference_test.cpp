@@ -31,11 +31,11 @@ TEST(SmoothReference, IsTheReferenceByItsSmoothSamplingError) {
   auto one = tests::made_up_case_with_control_variates();
   auto& kf = one.solutions[6];
   kf.error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
-  one.assess();
+  one.update_assessment();
   EXPECT_EQ(one.assessment.reference, "mcs");
   EXPECT_EQ(l1_error_estimate(one.solutions.back(), StateVariable::y), 3e-6);
   kf.error = {.y_l1 = 1e-6, .ydot_l1 = 1e-6};
-  one.assess();
+  one.update_assessment();
   EXPECT_EQ(one.assessment.reference, "fd-kf");
 }
 
@@ -66,8 +66,8 @@ TEST(SmoothReference, HasDistancesOverSmoothBins) {
         transform::find_smooth_bin_estimate(one.solutions.back(), variable)->averages;
     double expected = 0, variance = 0;
     for (std::size_t b = 0; b < averages.size(); ++b) {
-      expected += b % 2 == 0 ? averages.width(b) * kError : 0;
-      variance += std::pow(averages.width(b) * kError, 2);
+      expected += b % 2 == 0 ? averages.bin_width(b) * kError : 0;
+      variance += std::pow(averages.bin_width(b) * kError, 2);
     }
     EXPECT_NEAR(pair->distances.l1, expected, 0.01 * expected);
     EXPECT_NEAR(*pair->l1_standard_error, std::sqrt(variance), 1e-12);
@@ -99,7 +99,7 @@ TEST(SmoothReference, EndsTheChainWithTheDiscretisation) {
   ASSERT_FALSE(one.budget.empty());
   for (const auto& row : one.budget) {
     const auto& last = row.parts.back();
-    EXPECT_EQ(last.name(), "discretisation");
+    EXPECT_EQ(last.part_name(), "discretisation");
     EXPECT_EQ(last.from, "fd-kf");
     EXPECT_EQ(last.to, "mcs");
     EXPECT_EQ(last.l1, *l1_distance_between(one.pairs, "fd-kf", "mcs", row.variable));

@@ -12,8 +12,9 @@ namespace {
 int count_covering_intervals(const tests::PreparedCase& setup, int runs) {
   int count = 0;
   for (int seed = 1; seed <= runs; ++seed) {
-    const Result r = setup.simulate_and_estimate(1e4, static_cast<std::uint64_t>(seed), 32);
-    const auto holds = [&](const ControlledAndPlainEstimate& e, double truth) {
+    const ControlVariateResult r =
+        setup.simulate_and_estimate(1e4, static_cast<std::uint64_t>(seed), 32);
+    const auto holds = [&](const EstimatesWithAndWithoutControlVariates& e, double truth) {
       return std::abs(e.controlled.mean - truth) <
              r.estimates.confidence_interval_factor * e.controlled.standard_error;
     };

@@ -14,18 +14,18 @@ namespace {
 
 constexpr int kY2 = 1, kV1 = 3, kV2 = 4;  // indices in kMoments
 
-void expect_covers_truth(const ControlledAndPlainEstimate& e, double truth,
+void expect_covers_truth(const EstimatesWithAndWithoutControlVariates& e, double truth,
                          double truth_error = 0) {
   EXPECT_GT(e.controlled.standard_error, 0);
   EXPECT_NEAR(e.controlled.mean, truth, 4 * e.controlled.standard_error + truth_error);
 }
 
-double standard_error_reduction(const ControlledAndPlainEstimate& e) {
+double standard_error_reduction(const EstimatesWithAndWithoutControlVariates& e) {
   return std::pow(e.plain.standard_error / e.controlled.standard_error, 2);
 }
 
 TEST(ControlVariates, ReducesTheVarianceInCase1) {
-  const Result result = tests::prepared_case_1().simulate_and_estimate(2e5);
+  const ControlVariateResult result = tests::prepared_case_1().simulate_and_estimate(2e5);
   expect_covers_truth(result.estimates.moments[kY2], tests::kTrueY2, 1e-9);
   expect_covers_truth(result.estimates.moments[kV2], tests::kTrueV2, 1e-9);
   EXPECT_GT(standard_error_reduction(result.estimates.moments[kY2]), 1e8);
@@ -44,9 +44,9 @@ TEST(ControlVariates, IsUnbiasedWithControlFunctionsThatAreWrong) {
   // Control functions wrong by a tenth leave a tenth of the error; the factor 0 gives the plain
   // estimate.
   for (const double factor : {1.1, 0.9, 0.0}) {
-    const Result result =
+    const ControlVariateResult result =
         tests::prepared_case_1().with_scaled_control(factor).simulate_and_estimate(2e5);
-    const ControlledAndPlainEstimate& e = result.estimates.moments[kY2];
+    const EstimatesWithAndWithoutControlVariates& e = result.estimates.moments[kY2];
     expect_covers_truth(e, tests::kTrueY2, 1e-9);
     expect_covers_truth(result.estimates.moments[kV2], tests::kTrueV2, 1e-9);
     EXPECT_NEAR(e.controlled.standard_error / e.plain.standard_error, std::abs(1 - factor), 1e-4);
@@ -57,7 +57,7 @@ TEST(ControlVariates, AgreesWithTheExactLinearOscillator) {
   for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
     SCOPED_TRACE(law);
     const tests::PreparedCase linear(tests::linear_problem({.law = law}));
-    const Result result = linear.simulate_and_estimate(1e5);
+    const ControlVariateResult result = linear.simulate_and_estimate(1e5);
     const auto exact = exact::linear_moments_at(linear.problem, {}, 1e4);
     expect_covers_truth(result.estimates.moments[kY2], exact.zz, 1e-12);
     expect_covers_truth(result.estimates.moments[kV2], exact.vv, 1e-12);
@@ -67,11 +67,12 @@ TEST(ControlVariates, AgreesWithTheExactLinearOscillator) {
 
 TEST(ControlVariates, SmoothBinsAgreeWithTheExactLinearDensity) {
   const tests::PreparedCase linear(tests::linear_problem());
-  const Result result = linear.simulate_and_estimate(2e5);
+  const ControlVariateResult result = linear.simulate_and_estimate(2e5);
   const exact::LinearDensity density(linear.problem);
   // Averages over fine bins, weighted by the spline at the bin centres, have an error of second
   // order.
-  const auto compare = [&](const BinEstimates& bins, double from, const auto& averages) {
+  const auto compare = [&](const SmoothBinAverageEstimates& bins, double from,
+                           const auto& averages) {
     constexpr int kFine = 200;
     for (int b = 0; b < bins.bins.count; ++b) {
       const double centre = bins.bins.first + b * bins.bins.spacing;
@@ -102,20 +103,22 @@ TEST(ControlVariates, HoldsForLossesRareImpulsesAndAMean) {
        {tests::Parameters{.restitution = 0.5}, tests::Parameters{.rate = 0.3},
         tests::Parameters{.mean = 0.15}, tests::Parameters{.cubic = 1, .intensity = 1}}) {
     const tests::PreparedCase other(tests::make_problem(p));
-    const Result result = other.simulate_and_estimate(1e5);
-    const ControlledAndPlainEstimate& e = result.estimates.moments[kY2];
+    const ControlVariateResult result = other.simulate_and_estimate(1e5);
+    const EstimatesWithAndWithoutControlVariates& e = result.estimates.moments[kY2];
     EXPECT_GT(standard_error_reduction(e), 1e4);
     EXPECT_NEAR(e.controlled.mean, result.backward_means[kY2], 1e-4 * e.controlled.mean);
-    EXPECT_TRUE(result.checks.failed_checks().empty()) << result.checks.failed_checks().front();
+    EXPECT_TRUE(result.checks.failed_check_names().empty())
+        << result.checks.failed_check_names().front();
   }
 }
 
 TEST(ControlVariates, IsPlainWithoutControlFunctions) {
-  const auto note = [](const problem::Problem& problem, mcs::Options options,
-                       ControlSplineCells cells) {
+  const auto note = [](const problem::Problem& problem, mcs::SimulationOptions options,
+                       ControlVariateSplineCells cells) {
     options.controlled = true;
     options.streams = 8;
-    const auto solution = solve(problem, {.simulation = options, .cells = cells});
+    const auto solution =
+        simulate_with_control_variates(problem, {.simulation = options, .cells = cells});
     EXPECT_TRUE(solution.smooth_estimates.empty());
     EXPECT_FALSE(solution.smooth_sampling);
     return transform::metric_text(solution.metrics, "notes[0]").value_or("");
@@ -132,10 +135,10 @@ TEST(ControlVariates, IsPlainWithoutControlFunctions) {
 
 // Eight streams are too few for Hotelling's test on 14 polynomials.
 TEST(ControlVariates, LimitsTheGeneratorTestByTheNumberOfStreams) {
-  const mcs::Options few{.time = 5e3, .streams = 8};
-  const auto solution =
-      solve(tests::paper_case(1), {.simulation = few, .cells = ControlSplineCells{20, 40}});
-  EXPECT_TRUE(solution.is_ok()) << solution.reason;
+  const mcs::SimulationOptions few{.time = 5e3, .streams = 8};
+  const auto solution = simulate_with_control_variates(
+      tests::paper_case(1), {.simulation = few, .cells = ControlVariateSplineCells{20, 40}});
+  EXPECT_TRUE(solution.has_status_ok()) << solution.reason;
   EXPECT_EQ(transform::metric_number(solution.metrics, "checks.generator.dimensions"), 4);
   const double p = *transform::metric_number(solution.metrics, "checks.generator.p_value");
   EXPECT_GT(p, 0);
@@ -145,9 +148,10 @@ TEST(ControlVariates, LimitsTheGeneratorTestByTheNumberOfStreams) {
 // The mean of the impulses keeps the mass off the wall: checks of impacts pass without impacts.
 TEST(ControlVariates, SupportsProblemsWithoutImpacts) {
   const auto problem = tests::make_problem({.cubic = 0, .rate = 500, .mean = 0.01273});
-  const auto solution = solve(problem, {.simulation = {.time = 2e3, .accuracy = 0.1, .streams = 16},
-                                        .cells = ControlSplineCells{20, 40}});
-  EXPECT_TRUE(solution.is_ok()) << solution.reason;
+  const auto solution = simulate_with_control_variates(
+      problem, {.simulation = {.time = 2e3, .accuracy = 0.1, .streams = 16},
+                .cells = ControlVariateSplineCells{20, 40}});
+  EXPECT_TRUE(solution.has_status_ok()) << solution.reason;
   EXPECT_EQ(transform::metric_number(solution.metrics, "checks.impacts.restitution"), 0);
 }
 
@@ -156,14 +160,15 @@ TEST(ControlVariates, SupportsProblemsWithoutImpacts) {
 TEST(ControlVariates, ReportsProgressAfterTheFit) {
   const auto furthest = [](int threads) {
     double fraction = -1;
-    solve(tests::paper_case(1), {.simulation = {.time = 2e3,
-                                                .threads = threads,
-                                                .streams = 8,
-                                                .progress =
-                                                    [&](const mcs::SimulationProgress& at) {
-                                                      fraction = std::max(fraction, at.fraction);
-                                                    }},
-                                 .cells = ControlSplineCells{60, 120}});
+    simulate_with_control_variates(tests::paper_case(1),
+                                   {.simulation = {.time = 2e3,
+                                                   .threads = threads,
+                                                   .streams = 8,
+                                                   .progress =
+                                                       [&](const mcs::SimulationProgress& at) {
+                                                         fraction = std::max(fraction, at.fraction);
+                                                       }},
+                                    .cells = ControlVariateSplineCells{60, 120}});
     return fraction;
   };
   EXPECT_EQ(furthest(2), 0);
@@ -172,17 +177,17 @@ TEST(ControlVariates, ReportsProgressAfterTheFit) {
 
 TEST(ControlVariates, SolvesInOneCall) {
   const auto problem = tests::paper_case(1);
-  const mcs::Options simulation{.time = 5e4, .streams = 32};
-  const auto solution =
-      solve(problem, {.simulation = simulation, .cells = ControlSplineCells{24, 48}});
-  EXPECT_TRUE(solution.is_ok()) << solution.reason;
+  const mcs::SimulationOptions simulation{.time = 5e4, .streams = 32};
+  const auto solution = simulate_with_control_variates(
+      problem, {.simulation = simulation, .cells = ControlVariateSplineCells{24, 48}});
+  EXPECT_TRUE(solution.has_status_ok()) << solution.reason;
   const double error = solution.standard_errors->moments.y2;
   EXPECT_LT(error, 1e-6);
   EXPECT_NEAR(solution.moments.y2, tests::kTrueY2, 4 * error + 1e-9);
   // The plain estimate and the histogram equal those of mcs alone with the same step.
-  mcs::Options plain = simulation;
+  mcs::SimulationOptions plain = simulation;
   plain.step = 0.5;
-  const auto alone = mcs::solve(problem, plain).solution;
+  const auto alone = mcs::simulate_stationary_density(problem, plain).solution;
   EXPECT_NEAR(*transform::metric_number(solution.metrics, "plain.moments.y2"), alone.moments.y2,
               4 * alone.standard_errors->moments.y2);
   EXPECT_EQ(solution.estimated_marginals[0].second.density,
@@ -199,20 +204,20 @@ constexpr transform::SmoothBins kBins{.first = -0.2, .spacing = 0.2, .count = 8}
 
 TEST(EstimatedFunctionals, AreWhatTheDepositHolds) {
   const EstimatedFunctionals functionals{.y_bins = kBins, .v_bins = {-1, 0.5, 5}};
-  const auto functions = functionals.functional_integrands();
-  EXPECT_EQ(static_cast<int>(functions.size()), functionals.size());
-  mcs::StreamDeposit stream;
+  const auto functions = functionals.integrands_of_functionals();
+  EXPECT_EQ(static_cast<int>(functions.size()), functionals.functional_count());
+  mcs::DepositOfOneStream stream;
   stream.samples = 4;
-  for (std::size_t p = 0; p < mcs::kPowers.size(); ++p)
+  for (std::size_t p = 0; p < mcs::kRecordedMomentPowers.size(); ++p)
     stream.powers[p] = 4.0 * static_cast<double>(1 + p);
-  mcs::DepositGrid grid;
+  mcs::SampleDepositGrid grid;
   grid.y_bins = functionals.y_bins;
   grid.v_bins = functionals.v_bins;
   stream.sums.y_bins.assign(20, 0);
   stream.sums.v_bins.assign(20, 0);
-  stream.sums.y_bins[mcs::DepositedSums::kBinOffset + 3] = 2;
-  stream.sums.v_bins[mcs::DepositedSums::kBinOffset + 4] = 1;
-  const auto means = functionals.stream_means(stream);
+  stream.sums.y_bins[mcs::DepositedSampleSums::kBinOffset + 3] = 2;
+  stream.sums.v_bins[mcs::DepositedSampleSums::kBinOffset + 4] = 1;
+  const auto means = functionals.functional_means_in_stream(stream);
   EXPECT_EQ(means[0], 1);   // y
   EXPECT_EQ(means[1], 3);   // y^2
   EXPECT_EQ(means[2], 10);  // y^4

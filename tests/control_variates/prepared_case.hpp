@@ -11,24 +11,27 @@ struct PreparedCase {
   problem::Problem problem;
   control_variates::ControlVariateSetup setup;
 
-  explicit PreparedCase(problem::Problem p, control_variates::ControlSplineCells cells = {30, 64})
+  explicit PreparedCase(problem::Problem p,
+                        control_variates::ControlVariateSplineCells cells = {30, 64})
       : problem(std::move(p)),
         setup(control_variates::make_control_variate_setup(
-            problem, control_variates::make_deposit_layout(problem, cells),
-            mcs::make_simulation_plan(problem, mcs::Options{}).sampling_interval)) {}
+            problem, control_variates::make_deposited_sum_layout(problem, cells),
+            mcs::make_simulation_plan(problem, mcs::SimulationOptions{}).sampling_interval)) {}
 
-  mcs::Options simulation_options(double time, std::uint64_t seed = 1, int streams = 64) const {
-    mcs::Options o{.time = time, .seed = seed, .streams = streams, .step = 0.5};
+  mcs::SimulationOptions simulation_options(double time, std::uint64_t seed = 1,
+                                            int streams = 64) const {
+    mcs::SimulationOptions o{.time = time, .seed = seed, .streams = streams, .step = 0.5};
     o.deposit = setup.deposit_layout.grid;
     return o;
   }
   /// @param simulated simulated problem, which may differ from the problem of the control functions
-  control_variates::Result simulate_and_estimate(const problem::Problem& simulated,
-                                                 const mcs::Options& options) const {
-    return control_variates::estimate_and_check_simulation(setup, mcs::solve(simulated, options));
+  control_variates::ControlVariateResult simulate_and_estimate(
+      const problem::Problem& simulated, const mcs::SimulationOptions& options) const {
+    return control_variates::estimate_and_check_simulation(
+        setup, mcs::simulate_stationary_density(simulated, options));
   }
-  control_variates::Result simulate_and_estimate(double time, std::uint64_t seed = 1,
-                                                 int streams = 64) const {
+  control_variates::ControlVariateResult simulate_and_estimate(double time, std::uint64_t seed = 1,
+                                                               int streams = 64) const {
     return simulate_and_estimate(problem, simulation_options(time, seed, streams));
   }
   /// Returns a copy with all control functions multiplied by a factor.

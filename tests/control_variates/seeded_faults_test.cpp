@@ -16,14 +16,15 @@ using Names = std::vector<std::string>;
 constexpr double kTime = 2e5;
 
 /// Simulates a problem that differs from the problem of the control functions.
-Result simulate_faulty_problem(const tests::Parameters& parameters, double time = kTime) {
+ControlVariateResult simulate_faulty_problem(const tests::Parameters& parameters,
+                                             double time = kTime) {
   const auto& setup = tests::prepared_case_1();
   return setup.simulate_and_estimate(tests::make_problem(parameters),
                                      setup.simulation_options(time));
 }
 
 /// Returns the error of E[y^2], in standard errors.
-double y2_error_in_standard_errors(const Result& result) {
+double y2_error_in_standard_errors(const ControlVariateResult& result) {
   const auto& e = result.estimates.moments[1].controlled;
   return std::abs(e.mean - tests::kTrueY2) / e.standard_error;
 }
@@ -33,16 +34,16 @@ bool contains_name(const Names& names, const std::string& name) {
 }
 
 TEST(Checks, PassWithoutFaults) {
-  const Result result = tests::prepared_case_1().simulate_and_estimate(kTime);
-  EXPECT_EQ(result.checks.failed_checks(), Names{});
+  const ControlVariateResult result = tests::prepared_case_1().simulate_and_estimate(kTime);
+  EXPECT_EQ(result.checks.failed_check_names(), Names{});
   EXPECT_LT(y2_error_in_standard_errors(result), 4);
 }
 
 TEST(Checks, FindFlightsWhoseDampingIsOffByAThousandth) {
-  const Result result = simulate_faulty_problem({.damping = 0.1 * 1.001});
-  EXPECT_EQ(result.checks.failed_checks(), Names{"flights"});
-  EXPECT_EQ(result.checks.failed_deterministic_checks(), Names{"flights"});
-  const auto solution = make_solution(Result(result));
+  const ControlVariateResult result = simulate_faulty_problem({.damping = 0.1 * 1.001});
+  EXPECT_EQ(result.checks.failed_check_names(), Names{"flights"});
+  EXPECT_EQ(result.checks.failed_deterministic_check_names(), Names{"flights"});
+  const auto solution = solution_estimated_by_control_variates(ControlVariateResult(result));
   EXPECT_EQ(solution.status, transform::Status::failed);
   EXPECT_NE(solution.reason.find("flights"), std::string::npos);
   EXPECT_NEAR(result.checks.power, -1e-3, 1e-5);
@@ -50,20 +51,20 @@ TEST(Checks, FindFlightsWhoseDampingIsOffByAThousandth) {
 }
 
 TEST(Checks, FindARestitutionThatIsOffByAThousandth) {
-  const Result result = simulate_faulty_problem({.restitution = 0.98 + 1e-3});
-  EXPECT_EQ(result.checks.failed_checks(), Names{"restitution"});
+  const ControlVariateResult result = simulate_faulty_problem({.restitution = 0.98 + 1e-3});
+  EXPECT_EQ(result.checks.failed_check_names(), Names{"restitution"});
   EXPECT_NEAR(result.checks.restitution, 1e-3, 1e-12);
   EXPECT_GT(y2_error_in_standard_errors(result), 100);
 }
 
 TEST(Checks, DetectALawThatControlFunctionsCannotDetect) {
   // A fault of 0.02 in the deviation, for a short run; a run 400 times as long detects 0.001.
-  const Result result = simulate_faulty_problem({.intensity = 0.1 * 1.02 * 1.02});
-  EXPECT_TRUE(contains_name(result.checks.failed_checks(), "impulses"));
-  EXPECT_FALSE(contains_name(result.checks.failed_checks(), "flights"));
+  const ControlVariateResult result = simulate_faulty_problem({.intensity = 0.1 * 1.02 * 1.02});
+  EXPECT_TRUE(contains_name(result.checks.failed_check_names(), "impulses"));
+  EXPECT_FALSE(contains_name(result.checks.failed_check_names(), "flights"));
   // A statistical check gives a note, not a failure.
-  const auto solution = make_solution(Result(result));
-  EXPECT_TRUE(solution.is_ok());
+  const auto solution = solution_estimated_by_control_variates(ControlVariateResult(result));
+  EXPECT_TRUE(solution.has_status_ok());
   EXPECT_NE(transform::metric_text(solution.metrics, "notes[0]")->find("impulses"),
             std::string::npos);
   EXPECT_GT(result.checks.mean_square, 4);
@@ -71,20 +72,21 @@ TEST(Checks, DetectALawThatControlFunctionsCannotDetect) {
 }
 
 TEST(Checks, FindImpulsesThatComeTooOften) {
-  const Result result = simulate_faulty_problem({.rate = 1.02, .intensity = 0.1 * 1.02});
-  EXPECT_TRUE(contains_name(result.checks.failed_checks(), "impulses"));
+  const ControlVariateResult result =
+      simulate_faulty_problem({.rate = 1.02, .intensity = 0.1 * 1.02});
+  EXPECT_TRUE(contains_name(result.checks.failed_check_names(), "impulses"));
   EXPECT_GT(result.checks.rate, 4);
 }
 
 /// Simulates flights and impacts in a separate loop, in which every impact is located too late.
-mcs::StreamDeposit deposit_late_impacts(const mcs::DepositPlan& plan,
-                                        const problem::Problem& problem, std::uint32_t s,
-                                        double late, double time) {
-  const mcs::Oscillator oscillator = tests::oscillator_of(problem);
+mcs::DepositOfOneStream deposit_late_impacts(const mcs::SampleDepositPlan& plan,
+                                             const problem::Problem& problem, std::uint32_t s,
+                                             double late, double time) {
+  const mcs::SimulatedOscillator oscillator = tests::oscillator_of(problem);
   mcs::ImpulseSource source(problem.impulses, 5, s);
-  mcs::State state = mcs::folded_initial_state(source, 0.65, 0.65);
+  mcs::OscillatorState state = mcs::folded_initial_state(source, 0.65, 0.65);
   mcs::Impulse next = source.next_impulse();
-  mcs::StreamDeposit stream{.sums = mcs::DepositedSums(plan.grid)};
+  mcs::DepositOfOneStream stream{.sums = mcs::DepositedSampleSums(plan.grid)};
   double y_before = 0, time_to_sample = plan.sampling_interval / 2, remaining = time + 400;
   while (remaining > 0) {
     const bool burns_in = remaining > time;
@@ -98,9 +100,9 @@ mcs::StreamDeposit deposit_late_impacts(const mcs::DepositPlan& plan,
       state = {0, after};
     }
     const tests::Flight flight(oscillator, state);
-    double span = std::min({flight.max_step(0.5), next.waiting, remaining});
+    double span = std::min({flight.max_step(0.5), next.waiting_time, remaining});
     if (burns_in) span = std::min(span, remaining - time);
-    mcs::State end = flight.state_at_time(span);
+    mcs::OscillatorState end = flight.state_at_time(span);
     if (end.y < 0 && state.y > 0) {
       span = flight.impact_time(span, end, true) + late;
       end = flight.state_at_time(span);
@@ -112,18 +114,18 @@ mcs::StreamDeposit deposit_late_impacts(const mcs::DepositPlan& plan,
         const auto [y, v] = flight.state_at_time(time_to_sample);
         mcs::deposit_sample(plan, stream.sums, std::max(y, 0.0), v,
                             flight.polynomial_acceleration(time_to_sample), 1);
-        for (std::size_t k = 0; k < mcs::kPowers.size(); ++k) {
-          stream.powers[k] +=
-              std::pow(y, mcs::kPowers[k].first) * std::pow(v, mcs::kPowers[k].second);
+        for (std::size_t k = 0; k < mcs::kRecordedMomentPowers.size(); ++k) {
+          stream.powers[k] += std::pow(y, mcs::kRecordedMomentPowers[k].first) *
+                              std::pow(v, mcs::kRecordedMomentPowers[k].second);
         }
         ++stream.samples;
       }
       time_to_sample -= span;
     }
     remaining -= span;
-    next.waiting -= span;
+    next.waiting_time -= span;
     state = {std::max(end.y, 0.0), end.v};
-    if (next.waiting <= 0) {
+    if (next.waiting_time <= 0) {
       if (!burns_in) {
         stream.sums.impulses[0] += 1;
         stream.sums.impulses[1] += next.amplitude;
@@ -142,14 +144,15 @@ TEST(Checks, FindImpactsLocatedLateByAMillionth) {
   const mcs::SimulationPlan plan =
       mcs::make_simulation_plan(problem, tests::prepared_case_1().simulation_options(kTime));
   for (const double late : {0.0, 1e-6}) {
-    std::vector<mcs::StreamDeposit> streams;
+    std::vector<mcs::DepositOfOneStream> streams;
     for (std::uint32_t s = 0; s < 40; ++s) {
       streams.push_back(deposit_late_impacts(*plan.deposit, problem, s, late, 2000));
     }
-    const Eigen::MatrixXd generator = generator_means(setup, streams);
+    const Eigen::MatrixXd generator = stream_means_of_generated_splines(setup, streams);
     const FunctionalEstimates estimates = estimate_functionals(setup, generator, streams);
-    const SimulationChecks judged = check_simulation(setup, generator, streams, estimates);
-    EXPECT_EQ(judged.failed_checks(), late > 0 ? Names{"wall"} : Names{});
+    const SimulationIdentityChecks judged =
+        compute_simulation_identity_checks(setup, generator, streams, estimates);
+    EXPECT_EQ(judged.failed_check_names(), late > 0 ? Names{"wall"} : Names{});
     if (late > 0) {
       EXPECT_GT(judged.wall_distance, 1e-7);
     }

@@ -10,14 +10,14 @@
 /// Helpers for the tests of all formulations.
 namespace fpkcheck::tests {
 
-inline epc::Options closure_options(epc::Formulation formulation, int order,
-                                    std::optional<problem::DensityEquation> equation = {}) {
+inline epc::ClosureOptions closure_options(epc::Formulation formulation, int order,
+                                           std::optional<problem::DensityEquation> equation = {}) {
   return {.order = order, .formulation = formulation, .equation = equation};
 }
 
 using Coefficients = std::map<std::pair<int, int>, double>;
 
-inline Coefficients coefficients_by_power(const epc::Summary& summary) {
+inline Coefficients coefficients_by_power(const epc::ClosureSummary& summary) {
   Coefficients result;
   for (const auto& [p, q, a] : summary.coefficients) result[{p, q}] = a;
   return result;
@@ -25,7 +25,7 @@ inline Coefficients coefficients_by_power(const epc::Summary& summary) {
 
 /// Returns the coefficients in the plane scaled by the deviations, where the magnitudes of all
 /// coefficients are comparable.
-inline Coefficients scaled_coefficients_by_power(const epc::Summary& summary, double sigma1,
+inline Coefficients scaled_coefficients_by_power(const epc::ClosureSummary& summary, double sigma1,
                                                  double sigma2) {
   Coefficients table = coefficients_by_power(summary);
   for (auto& [power, a] : table) {

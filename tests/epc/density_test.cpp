@@ -16,17 +16,17 @@
 namespace fpkcheck::epc {
 namespace {
 
-using transform::MetricBuilder;
 using transform::Metrics;
+using transform::SolverMetricsBuilder;
 
-const transform::SmoothDensity& smooth_density_of(const Result& result) {
+const transform::SmoothDensity& smooth_density_of(const ClosureResult& result) {
   return std::get<transform::SmoothDensity>(*result.solution.density);
 }
 
 // The closed form in files reproduces the solver's density inside and outside its support.
 void expect_closed_form_reproduces_density(const problem::Problem& problem,
-                                           const Options& options) {
-  const Result result = solve(problem, options);
+                                           const ClosureOptions& options) {
+  const ClosureResult result = solve_closure(problem, options);
   ASSERT_TRUE(result.solution.density) << result.solution.reason;
   const auto form = read_closed_form(result.solution.metrics);
   EXPECT_TRUE(can_be_normalised(form));
@@ -39,7 +39,7 @@ void expect_closed_form_reproduces_density(const problem::Problem& problem,
     for (int j = -20; j <= 20; ++j) {
       const double y = 1.1 * solver_density.y_max * i / 20, v = 1.1 * solver_density.v_max * j / 20;
       const double p = solver_density.value(y, v);
-      EXPECT_NEAR(again.value(y, v), p, 1e-12 * p) << id(options) << ' ' << y << ' ' << v;
+      EXPECT_NEAR(again.value(y, v), p, 1e-12 * p) << solution_id(options) << ' ' << y << ' ' << v;
       peak = std::max(peak, p);
     }
   }
@@ -55,7 +55,7 @@ TEST(ClosedForm, EvaluatesToTheSolversDensity) {
   expect_closed_form_reproduces_density(tests::paper_case(1),
                                         tests::closure_options(Formulation::polar, 4));
   auto cut = tests::closure_options(Formulation::moment, 4);
-  cut.tail = TailTreatment::cut;
+  cut.tail = DensityTailTreatment::cut;
   expect_closed_form_reproduces_density(tests::paper_case(1), cut);
 }
 
@@ -80,10 +80,10 @@ TEST(ClosedForm, EvaluatesOnThePhysicalAxesWhateverTheFrame) {
                  {.left = -0.5, .left_restitution = 0.9, .right = 1, .right_restitution = 0.8}),
           impulses)};
   const auto expect_the_same_in_any_frame = [](const problem::Problem& physical,
-                                               const Options& options) {
+                                               const ClosureOptions& options) {
     const auto seen = tests::in_wall_coordinates(physical);
     if (!unsupported_reason(seen, options).empty()) return;
-    const Result result = solve(seen, options);
+    const ClosureResult result = solve_closure(seen, options);
     ASSERT_TRUE(result.solution.density) << result.solution.reason;
     const auto solver_density = std::get<transform::SmoothDensity>(
         transform::to_physical_coordinates(seen.frame, *result.solution.density));
@@ -103,7 +103,7 @@ TEST(ClosedForm, EvaluatesOnThePhysicalAxesWhateverTheFrame) {
           peak = std::max(peak, p);
         }
       }
-      EXPECT_GT(peak, 0.01) << id(options);
+      EXPECT_GT(peak, 0.01) << solution_id(options);
     }
   };
   for (const auto& physical : problems) {
@@ -119,8 +119,8 @@ TEST(ClosedForm, IsRefusedWithAnOscillatorThatHasNoWallAtItsOrigin) {
         problem::System({.damping = 0.1, .stiffness = 1}, {.left = wall, .left_restitution = 0.9}),
         tests::gaussian_impulses(1, 0.1));
   };
-  const Result result = solve(tests::in_wall_coordinates(of_gap(-0.5)),
-                              tests::closure_options(Formulation::moment, 4));
+  const ClosureResult result = solve_closure(tests::in_wall_coordinates(of_gap(-0.5)),
+                                             tests::closure_options(Formulation::moment, 4));
   const auto form = read_closed_form(result.solution.metrics);
   const auto other = of_gap(-0.6);
   EXPECT_THROW(density_of_closed_form(form, &other), InputError);
@@ -128,15 +128,15 @@ TEST(ClosedForm, IsRefusedWithAnOscillatorThatHasNoWallAtItsOrigin) {
 
 // The density proportional to exp(-y^2/2a^2 - v^2/2b^2), a = 0.5, b = 0.8.
 constexpr double kA = 0.5, kB = 0.8;
-MetricBuilder gaussian_form_metrics(const char* coordinates) {
-  MetricBuilder builder;
-  builder.add_text("coordinates", std::string(coordinates))
-      .add_result("coefficients[0].x1", std::int64_t{2})
-      .add_result("coefficients[0].x2", std::int64_t{0})
-      .add_result("coefficients[0].a", -1 / (2 * kA * kA))
-      .add_result("coefficients[1].x1", std::int64_t{0})
-      .add_result("coefficients[1].x2", std::int64_t{2})
-      .add_result("coefficients[1].a", -1 / (2 * kB * kB));
+SolverMetricsBuilder gaussian_form_metrics(const char* coordinates) {
+  SolverMetricsBuilder builder;
+  builder.add_text_metric("coordinates", std::string(coordinates))
+      .add_result_metric("coefficients[0].x1", std::int64_t{2})
+      .add_result_metric("coefficients[0].x2", std::int64_t{0})
+      .add_result_metric("coefficients[0].a", -1 / (2 * kA * kA))
+      .add_result_metric("coefficients[1].x1", std::int64_t{0})
+      .add_result_metric("coefficients[1].x2", std::int64_t{2})
+      .add_result_metric("coefficients[1].a", -1 / (2 * kB * kB));
   return builder;
 }
 double exact_gaussian_density(double y, double v) {
@@ -144,7 +144,7 @@ double exact_gaussian_density(double y, double v) {
 }
 
 TEST(ClosedForm, OfAGaussianIsThatGaussian) {
-  const auto expect_exact = [](MetricBuilder builder, double relative) {
+  const auto expect_exact = [](SolverMetricsBuilder builder, double relative) {
     const auto p = density_of_closed_form(read_closed_form(builder.take_metrics()), nullptr);
     for (const double y : {0.0, 0.3, 1.1}) {
       for (const double v : {-2.0, 0.0, 0.7}) {
@@ -153,33 +153,36 @@ TEST(ClosedForm, OfAGaussianIsThatGaussian) {
     }
   };
   // Forms that the constant normalises: on the plane and on the half-plane.
-  expect_exact(gaussian_form_metrics("x1,x2").add_result("C", 1 / (2 * M_PI * kA * kB)), 1e-14);
-  expect_exact(gaussian_form_metrics("x1,x2").add_result("log_C", -std::log(2 * M_PI * kA * kB)),
+  expect_exact(gaussian_form_metrics("x1,x2").add_result_metric("C", 1 / (2 * M_PI * kA * kB)),
                1e-14);
-  expect_exact(gaussian_form_metrics("y,v").add_result("C", 1 / (M_PI * kA * kB)), 1e-14);
+  expect_exact(
+      gaussian_form_metrics("x1,x2").add_result_metric("log_C", -std::log(2 * M_PI * kA * kB)),
+      1e-14);
+  expect_exact(gaussian_form_metrics("y,v").add_result_metric("C", 1 / (M_PI * kA * kB)), 1e-14);
   // Forms that are normalised over a support with nearly all of the probability.
   expect_exact(gaussian_form_metrics("x1,x2")
-                   .add_result("support.sigma1", kA)
-                   .add_result("support.sigma2", kB),
+                   .add_result_metric("support.sigma1", kA)
+                   .add_result_metric("support.sigma2", kB),
                1e-12);
   expect_exact(gaussian_form_metrics("x1,x2")
-                   .add_result("support.y_max", 8 * kA)
-                   .add_result("support.v_max", 8 * kB),
+                   .add_result_metric("support.y_max", 8 * kA)
+                   .add_result_metric("support.v_max", 8 * kB),
                1e-12);
   expect_exact(gaussian_form_metrics("y,v")
-                   .add_result("support.y_max", 8 * kA)
-                   .add_result("support.v_max", 8 * kB),
+                   .add_result_metric("support.y_max", 8 * kA)
+                   .add_result_metric("support.v_max", 8 * kB),
                1e-12);
 }
 
 // A box that begins below 0 contains the whole Gaussian of the plane, with half the density.
 TEST(ClosedForm, MayBeginBelowZero) {
-  const auto p = density_of_closed_form(read_closed_form(gaussian_form_metrics("y,v")
-                                                             .add_result("support.y_max", 8 * kA)
-                                                             .add_result("support.y_min", -8 * kA)
-                                                             .add_result("support.v_max", 8 * kB)
-                                                             .take_metrics()),
-                                        nullptr);
+  const auto p =
+      density_of_closed_form(read_closed_form(gaussian_form_metrics("y,v")
+                                                  .add_result_metric("support.y_max", 8 * kA)
+                                                  .add_result_metric("support.y_min", -8 * kA)
+                                                  .add_result_metric("support.v_max", 8 * kB)
+                                                  .take_metrics()),
+                             nullptr);
   EXPECT_NEAR(p.value(-0.3, 0.5) / (exact_gaussian_density(0.3, 0.5) / 2), 1, 1e-12);
   EXPECT_EQ(p.value(-8.1 * kA, 0), 0);
 }
@@ -190,47 +193,47 @@ TEST(ClosedForm, WithoutConstantAndSupportIsNotNormalised) {
   EXPECT_DOUBLE_EQ(density_of_closed_form(form, nullptr).value(0, 0), 1);
 }
 
-std::string error_message(MetricBuilder builder, const problem::Problem* problem = nullptr) {
+std::string error_message(SolverMetricsBuilder builder, const problem::Problem* problem = nullptr) {
   return tests::refusal(
       [&] { density_of_closed_form(read_closed_form(builder.take_metrics()), problem); });
 }
 
 TEST(ClosedForm, ThatIsIncompleteIsRefused) {
-  EXPECT_NE(error_message(MetricBuilder()).find("no \"coordinates\""), std::string::npos);
+  EXPECT_NE(error_message(SolverMetricsBuilder()).find("no \"coordinates\""), std::string::npos);
   EXPECT_NE(error_message(gaussian_form_metrics("q,p")).find("'q,p' (must be \"x1,x2\""),
             std::string::npos);
-  EXPECT_NE(error_message(MetricBuilder().add_text("coordinates", std::string("y,v")))
+  EXPECT_NE(error_message(SolverMetricsBuilder().add_text_metric("coordinates", std::string("y,v")))
                 .find("no coefficients"),
             std::string::npos);
-  EXPECT_EQ(error_message(gaussian_form_metrics("y,v").add_result("C", -1.0)),
+  EXPECT_EQ(error_message(gaussian_form_metrics("y,v").add_result_metric("C", -1.0)),
             "\"C\" is -1 (must be positive)");
   EXPECT_NE(error_message(gaussian_form_metrics("y,v")
-                              .add_result("support.y_max", 1.0)
-                              .add_result("support.y_min", 2.0)
-                              .add_result("support.v_max", 1.0))
+                              .add_result_metric("support.y_max", 1.0)
+                              .add_result_metric("support.y_min", 2.0)
+                              .add_result_metric("support.v_max", 1.0))
                 .find("must be below"),
             std::string::npos);
-  EXPECT_NE(error_message(gaussian_form_metrics("y,v").add_result("support.y_max", 1.0))
+  EXPECT_NE(error_message(gaussian_form_metrics("y,v").add_result_metric("support.y_max", 1.0))
                 .find("incomplete support"),
             std::string::npos);
   EXPECT_NE(error_message(gaussian_form_metrics("y,v")
-                              .add_result("coefficients[2].x1", 0.5)
-                              .add_result("coefficients[2].x2", 0.0)
-                              .add_result("coefficients[2].a", 1.0))
+                              .add_result_metric("coefficients[2].x1", 0.5)
+                              .add_result_metric("coefficients[2].x2", 0.0)
+                              .add_result_metric("coefficients[2].a", 1.0))
                 .find("is 0.5 (must be an integer"),
             std::string::npos);
   EXPECT_NE(error_message(gaussian_form_metrics("y,v")
-                              .add_result("coefficients[2].x1", 30.0)
-                              .add_result("coefficients[2].x2", 0.0)
-                              .add_result("coefficients[2].a", 1.0)
-                              .add_result("support.y_max", 9.0)
-                              .add_result("support.v_max", 9.0))
+                              .add_result_metric("coefficients[2].x1", 30.0)
+                              .add_result_metric("coefficients[2].x2", 0.0)
+                              .add_result_metric("coefficients[2].a", 1.0)
+                              .add_result_metric("support.y_max", 9.0)
+                              .add_result_metric("support.v_max", 9.0))
                 .find("integral over the support is inf"),
             std::string::npos);
   // A form with amplitudes or energies needs an oscillator.
   EXPECT_NE(error_message(gaussian_form_metrics("amplitude,phase")).find("name its case"),
             std::string::npos);
-  EXPECT_NE(error_message(gaussian_form_metrics("y,v").add_result("support.energy", 1.0))
+  EXPECT_NE(error_message(gaussian_form_metrics("y,v").add_result_metric("support.energy", 1.0))
                 .find("name its case"),
             std::string::npos);
   const auto problem = tests::paper_case(1);

@@ -23,11 +23,11 @@ using transform::Status;
 Problem read_problem(const std::string& text) {
   std::istringstream ini(text);
   return tests::in_wall_coordinates(
-      problem::read_case(ini, "test", "test.ini", {}, problem::CaseNaming::with_overrides));
+      problem::read_case(ini, "test", "test.ini", {}, problem::CaseNamingRule::with_overrides));
 }
 
 transform::Solution solution_of(const std::string& text, Formulation formulation, int order) {
-  return solve(read_problem(text), tests::closure_options(formulation, order)).solution;
+  return solve_closure(read_problem(text), tests::closure_options(formulation, order)).solution;
 }
 
 const std::string kImpulses = "[impulse]\nrate = 1\nlaw = gaussian\nintensity = 0.3\nmean = 0.1\n";
@@ -56,7 +56,7 @@ TEST(ClosureOfFormula, IsThatOfTheHiddenPolynomialWithoutAWall) {
         };
         const auto polynomial = solve_force(force), formula = solve_force(force + " + 0*abs(y)");
         // The branches of the two problems start differently, and either branch may lack a root.
-        if (!polynomial.is_ok()) continue;
+        if (!polynomial.has_status_ok()) continue;
         ++solved;
         ASSERT_EQ(formula.status, Status::ok) << formula.reason;
         expect_equal_moments(polynomial.moments, formula.moments, 1e-8);
@@ -286,7 +286,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-ProjectedEquations with_formulas(const Basis& basis, const Problem& p,
+ProjectedEquations with_formulas(const GaussianWeightedBasis& basis, const Problem& p,
                                  const ResidualCoefficients& f) {
   return ProjectedEquations(basis,
                             ProjectedFormulas(basis, p, f.damping, f.odd_force.coefficient(1)));
@@ -303,7 +303,7 @@ TEST(ProjectedFormulas, EqualTheResidualOfAHiddenPolynomial) {
                     read_problem(text("0.2*v + y + 0.3*y^2 + 0.1*y^3 + 0*abs(y-0.7)", "0.8 + 0*v"));
   const StandardDeviations sigma = gaussian_weight_deviations(polynomial);
   for (const auto set : {MonomialSet::point_symmetric, MonomialSet::general}) {
-    const Basis basis(6, set, sigma);
+    const GaussianWeightedBasis basis(6, set, sigma);
     const auto f = residual_coefficients(polynomial, problem::DensityEquation::km4),
                of_formula = residual_coefficients(formula, problem::DensityEquation::km4, sigma);
     const ProjectedEquations direct(basis), quadrature = with_formulas(basis, formula, of_formula);
@@ -320,7 +320,7 @@ TEST(ProjectedFormulas, HaveTheirJacobian) {
       read_problem(system("0.2*v + 0.3*v*abs(v) + y + 2*max(y-0.3,0)") +
                    "[wall]\nleft = 0\nleft_restitution = 1 - 0.2*tanh(v)\n" + kImpulses + kNoise +
                    "factor = 1 + 0.3*tanh(y + v)\ninterpretation = stratonovich\n");
-  const Basis basis(4, MonomialSet::general, gaussian_weight_deviations(p));
+  const GaussianWeightedBasis basis(4, MonomialSet::general, gaussian_weight_deviations(p));
   const auto f = residual_coefficients(p, problem::DensityEquation::km4, basis.sigma());
   const ProjectedEquations equations = with_formulas(basis, p, f);
   const VectorXd a = VectorXd::LinSpaced(basis.size(), -0.3, 0.2);

@@ -14,12 +14,12 @@ namespace fpkcheck::epc {
 namespace {
 
 // Returns options that all differ from their defaults.
-Options non_default_options() {
+ClosureOptions non_default_options() {
   return {.order = 10,
           .formulation = Formulation::moment,
           .monomials = MonomialSet::general,
           .equation = DensityEquation::white,
-          .tail = TailTreatment::cut,
+          .tail = DensityTailTreatment::cut,
           .tolerance = 3.1e-9,
           .accuracy = 0.3,
           .max_iterations = 17,
@@ -27,15 +27,15 @@ Options non_default_options() {
 }
 
 // Returns all combinations of options that an id can express.
-std::vector<Options> named_options() {
-  std::vector<Options> list;
+std::vector<ClosureOptions> named_options() {
+  std::vector<ClosureOptions> list;
   for (const int order : {2, 12}) {
     for (const auto equation :
          {DensityEquation::white, DensityEquation::km4, DensityEquation::kf}) {
       list.push_back({.order = order, .equation = equation});
     }
     for (const auto equation : {DensityEquation::white, DensityEquation::kf}) {
-      for (const auto tail : {TailTreatment::confined, TailTreatment::cut}) {
+      for (const auto tail : {DensityTailTreatment::confined, DensityTailTreatment::cut}) {
         list.push_back({.order = order,
                         .formulation = Formulation::moment,
                         .equation = equation,
@@ -47,7 +47,7 @@ std::vector<Options> named_options() {
   return list;
 }
 
-std::string error_message(const Options& options) {
+std::string error_message(const ClosureOptions& options) {
   return tests::refusal([&] { validate(options); }, "");
 }
 
@@ -67,7 +67,7 @@ TEST(ClosureOptions, HaveTheNamesOfTheFiles) {
 }
 
 TEST(ClosureOptions, OnTheCommandLineTheEquationIsOneThatAClosureMaySolve) {
-  Options options;
+  ClosureOptions options;
   const auto& equation = *description().find("equation");
   for (const char* word : {"white", "km4", "kf", "auto"}) {
     EXPECT_NO_THROW(description().parse(options, equation, word, "--equation")) << word;
@@ -84,28 +84,31 @@ TEST(ClosureOptions, AutomaticIsTheUsualEquationOfTheFormulation) {
 }
 
 TEST(ClosureOptions, AreNamedByFormulationVariantAndOrder) {
-  EXPECT_EQ(id({}), "epc-gaussian-n6");
-  EXPECT_EQ(id({.order = 4, .equation = DensityEquation::white}), "epc-gaussian-white-n4");
-  EXPECT_EQ(id({.equation = DensityEquation::kf}), "epc-gaussian-kf-n6");
-  EXPECT_EQ(id({.equation = DensityEquation::km4}), "epc-gaussian-n6");
-  EXPECT_EQ(id({.order = 8, .formulation = Formulation::moment, .tail = TailTreatment::cut}),
-            "epc-moment-cut-n8");
+  EXPECT_EQ(solution_id({}), "epc-gaussian-n6");
+  EXPECT_EQ(solution_id({.order = 4, .equation = DensityEquation::white}), "epc-gaussian-white-n4");
+  EXPECT_EQ(solution_id({.equation = DensityEquation::kf}), "epc-gaussian-kf-n6");
+  EXPECT_EQ(solution_id({.equation = DensityEquation::km4}), "epc-gaussian-n6");
   EXPECT_EQ(
-      id({.order = 4, .formulation = Formulation::moment, .equation = DensityEquation::white}),
+      solution_id(
+          {.order = 8, .formulation = Formulation::moment, .tail = DensityTailTreatment::cut}),
+      "epc-moment-cut-n8");
+  EXPECT_EQ(
+      solution_id(
+          {.order = 4, .formulation = Formulation::moment, .equation = DensityEquation::white}),
       "epc-moment-white-n4");
-  EXPECT_EQ(id({.formulation = Formulation::moment, .equation = DensityEquation::kf}),
+  EXPECT_EQ(solution_id({.formulation = Formulation::moment, .equation = DensityEquation::kf}),
             "epc-moment-n6");
-  EXPECT_EQ(id({.formulation = Formulation::polar}), "epc-polar-n6");
+  EXPECT_EQ(solution_id({.formulation = Formulation::polar}), "epc-polar-n6");
 }
 
 TEST(ClosureOptions, SurviveARoundTripThroughTheirId) {
   std::set<std::string> ids;
-  for (const Options& options : named_options()) {
+  for (const ClosureOptions& options : named_options()) {
     EXPECT_EQ(error_message(options), "");
-    ids.insert(id(options));
-    const auto again = options_of(id(options));
-    ASSERT_TRUE(again.has_value()) << id(options);
-    EXPECT_EQ(id(*again), id(options));
+    ids.insert(solution_id(options));
+    const auto again = options_of(solution_id(options));
+    ASSERT_TRUE(again.has_value()) << solution_id(options);
+    EXPECT_EQ(solution_id(*again), solution_id(options));
     EXPECT_EQ(again->formulation, options.formulation);
     EXPECT_EQ(again->tail, options.tail);
     EXPECT_EQ(effective_equation(*again), effective_equation(options));
@@ -125,7 +128,7 @@ TEST(ClosureOptions, AnIdThatIsNoClosuresHasNone) {
 }
 
 TEST(ClosureOptions, IdentityStatesWhatIsSolved) {
-  const auto gaussian = identity({});
+  const auto gaussian = solution_identity({});
   EXPECT_EQ(gaussian.id, "epc-gaussian-n6");
   EXPECT_EQ(gaussian.method, "epc");
   EXPECT_EQ(gaussian.formulation, "gaussian");
@@ -133,7 +136,7 @@ TEST(ClosureOptions, IdentityStatesWhatIsSolved) {
   EXPECT_EQ(gaussian.equation, DensityEquation::km4);
   EXPECT_EQ(gaussian.impact, ImpactCondition::delta);
   EXPECT_EQ(gaussian.role, transform::SolutionRole::closure);
-  const auto cut = identity(non_default_options());
+  const auto cut = solution_identity(non_default_options());
   EXPECT_EQ(cut.id, "epc-moment-cut-white-n10");
   EXPECT_EQ(cut.formulation, "moment-cut-white");
   EXPECT_EQ(cut.equation, DensityEquation::white);
@@ -180,7 +183,7 @@ TEST(ClosureOptions, WhatAFormulationCannotSolveIsRefused) {
 
 TEST(ClosureOptions, AChoiceThatAFormulationDoesNotHaveIsRefused) {
   for (const auto formulation : {Formulation::gaussian, Formulation::polar}) {
-    EXPECT_NE(error_message({.formulation = formulation, .tail = TailTreatment::cut})
+    EXPECT_NE(error_message({.formulation = formulation, .tail = DensityTailTreatment::cut})
                   .find("epc tail = cut"),
               std::string::npos);
   }
@@ -189,7 +192,8 @@ TEST(ClosureOptions, AChoiceThatAFormulationDoesNotHaveIsRefused) {
                   .find("epc monomials = general"),
               std::string::npos);
   }
-  EXPECT_EQ(error_message({.formulation = Formulation::moment, .tail = TailTreatment::cut}), "");
+  EXPECT_EQ(error_message({.formulation = Formulation::moment, .tail = DensityTailTreatment::cut}),
+            "");
   EXPECT_EQ(error_message({.monomials = MonomialSet::general}), "");
 }
 

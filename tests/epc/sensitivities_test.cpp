@@ -9,14 +9,14 @@
 namespace fpkcheck::epc {
 namespace {
 
-using transform::Sensitivities;
+using transform::MomentSensitivities;
 using transform::Status;
 
-std::vector<problem::ParameterDerivative> parameter_derivatives(
+std::vector<problem::ParameterDifferenceQuotient> parameter_derivatives(
     const problem::Problem& problem, const std::vector<std::string>& keys) {
-  std::vector<problem::ParameterDerivative> all;
+  std::vector<problem::ParameterDifferenceQuotient> all;
   for (const std::string& key : keys) {
-    all.push_back(problem::parameter_derivative(problem, key, 1e-3));
+    all.push_back(problem::parameter_difference_quotient(problem, key, 1e-3));
   }
   return all;
 }
@@ -26,9 +26,9 @@ std::vector<problem::ParameterDerivative> parameter_derivatives(
 TEST(ClosureSensitivities, AreExactForALinearOscillator) {
   const auto problem =
       tests::make_problem({.damping = 0.2, .stiffness = 1.5, .cubic = 0, .restitution = 1});
-  const Options options{
+  const ClosureOptions options{
       .order = 4, .formulation = Formulation::moment, .equation = DensityEquation::white};
-  const Sensitivities s = solve_sensitivities(
+  const MomentSensitivities s = solve_sensitivities(
       problem, options,
       parameter_derivatives(problem, {"system.damping", "system.stiffness", "impulse.intensity"}));
   ASSERT_EQ(s.status, Status::ok) << s.reason;
@@ -52,7 +52,7 @@ TEST(ClosureSensitivities, AreExactForALinearOscillator) {
 // Values of the finite volumes (docs/functionals.md). The error estimate covers the error.
 TEST(ClosureSensitivities, AgreeWithFiniteVolumesInCase1) {
   const auto problem = tests::paper_case(1);
-  const Sensitivities s = solve_sensitivities(
+  const MomentSensitivities s = solve_sensitivities(
       problem, {.order = 6, .formulation = Formulation::polar},
       parameter_derivatives(problem, {"system.damping", "system.stiffness", "system.cubic"}));
   ASSERT_EQ(s.status, Status::ok) << s.reason;
@@ -69,7 +69,7 @@ TEST(ClosureSensitivities, AgreeWithFiniteVolumesInCase1) {
 
 TEST(ClosureSensitivities, HaveNoErrorEstimateAtOrderTwo) {
   const auto problem = tests::paper_case(1);
-  const Sensitivities s =
+  const MomentSensitivities s =
       solve_sensitivities(problem, {.order = 2, .formulation = Formulation::moment},
                           parameter_derivatives(problem, {"system.damping"}));
   ASSERT_EQ(s.status, Status::ok) << s.reason;
@@ -79,8 +79,9 @@ TEST(ClosureSensitivities, HaveNoErrorEstimateAtOrderTwo) {
 TEST(ClosureSensitivities, RefuseWhatTheClosureDoesNotSupport) {
   problem::Problem problem = tests::paper_case(1);
   problem.noise.intensity = 0.1;
-  const Sensitivities s = solve_sensitivities(problem, {.formulation = Formulation::polar},
-                                              parameter_derivatives(problem, {"system.damping"}));
+  const MomentSensitivities s =
+      solve_sensitivities(problem, {.formulation = Formulation::polar},
+                          parameter_derivatives(problem, {"system.damping"}));
   EXPECT_EQ(s.status, Status::not_offered);
   EXPECT_FALSE(s.reason.empty());
 }

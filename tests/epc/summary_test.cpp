@@ -14,15 +14,15 @@ namespace {
 
 using transform::find_metric;
 using transform::metric_text;
-using transform::MetricKind;
 using transform::Metrics;
+using transform::SolverMetricKind;
 
 double number_at(const Metrics& metrics, std::string_view path) {
   return transform::metric_number(metrics, path).value();
 }
 
-Metrics solved_metrics(int number, const Options& options) {
-  return solve(tests::paper_case(number), options).solution.metrics;
+Metrics solved_metrics(int number, const ClosureOptions& options) {
+  return solve_closure(tests::paper_case(number), options).solution.metrics;
 }
 
 // Names of the members of the top-level object, in order.
@@ -75,7 +75,7 @@ TEST(ClosureSummary, WithoutARootStatesTheEndOfTheBranch) {
   EXPECT_EQ(number_at(seen, "branch.points[0].fraction"), 0);
   for (const auto& observation : seen) {
     if (observation.path.starts_with("branch.points")) {
-      EXPECT_EQ(observation.kind, MetricKind::work) << observation.path;
+      EXPECT_EQ(observation.kind, SolverMetricKind::work) << observation.path;
     }
   }
 }
@@ -101,10 +101,10 @@ TEST(ClosureSummary, HowTheRootWasFoundIsWork) {
   for (const char* path :
        {"iterations", "residual", "condition", "support.worst_direction.x1",
         "support.worst_direction.x2", "quadrature_change", "homotopies", "relaxation_rate"}) {
-    EXPECT_EQ(find_metric(seen, path)->kind, MetricKind::work) << path;
+    EXPECT_EQ(find_metric(seen, path)->kind, SolverMetricKind::work) << path;
   }
   for (const char* path : {"order", "support.y_max", "leading_form", "tail.level"}) {
-    EXPECT_EQ(find_metric(seen, path)->kind, MetricKind::result) << path;
+    EXPECT_EQ(find_metric(seen, path)->kind, SolverMetricKind::result) << path;
   }
 }
 
@@ -115,21 +115,21 @@ TEST(ClosureSummary, TheEdgeIsDelicateUnlessThePathDecides) {
               find_metric(seen, "support.edge_density")->kind);
     return *find_metric(seen, "support.edge_density");
   };
-  EXPECT_EQ(edge(8).kind, MetricKind::result);
+  EXPECT_EQ(edge(8).kind, SolverMetricKind::result);
   EXPECT_TRUE(edge(8).is_rounding_sensitive);
   EXPECT_EQ(edge(8).min_scale, 1e-6);
-  EXPECT_EQ(edge(10).kind, MetricKind::work);
+  EXPECT_EQ(edge(10).kind, SolverMetricKind::work);
 }
 
 // The scale of a coefficient corresponds to a change of the density of at least 1e-14 of its peak:
 // max |u|^2 exp(-u^2/2) = 2/e.
 TEST(ClosureSummary, ACoefficientIsKnownToWhatItDoesToTheDensity) {
-  Summary summary{.order = 8, .formulation = Formulation::moment};
+  ClosureSummary summary{.order = 8, .formulation = Formulation::moment};
   summary.coefficients = {{2, 0, -0.5}, {1, 2, 0.1}, {0, 4, 1e-9}};
   const transform::Moments moments{.y2 = 4, .v2 = 0.25};
   const auto scale = [&](const char* path) {
     const auto seen = metrics(summary, moments);
-    EXPECT_EQ(find_metric(seen, path)->kind, MetricKind::coefficient);
+    EXPECT_EQ(find_metric(seen, path)->kind, SolverMetricKind::coefficient);
     return find_metric(seen, path)->min_scale * 50e-8;
   };
   const double e = std::exp(1.0);

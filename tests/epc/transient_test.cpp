@@ -15,7 +15,7 @@ namespace fpkcheck::epc {
 namespace {
 
 using transform::Status;
-using transform::Transient;
+using transform::TransientDensities;
 using transform::TransientRequest;
 
 problem::Problem read_problem_text(const std::string& text) {
@@ -38,8 +38,8 @@ TransientRequest transient_request(double until, int snapshots,
           .v_edges = uniform_edges(-5, 5, 40)};
 }
 
-Options closure_options(Formulation formulation, int order,
-                        std::optional<DensityEquation> equation = std::nullopt) {
+ClosureOptions closure_options(Formulation formulation, int order,
+                               std::optional<DensityEquation> equation = std::nullopt) {
   return {.order = order, .formulation = formulation, .equation = equation};
 }
 
@@ -57,7 +57,7 @@ TEST(ClosureOverTime, IsExactForALinearOscillatorAtAnElasticWallUnderWhiteNoise)
                                            {Formulation::gaussian, 6}}) {
     SCOPED_TRACE(name(formulation));
     SCOPED_TRACE(order);
-    const Transient result = solve_transient(
+    const TransientDensities result = solve_transient(
         problem, closure_options(formulation, order, DensityEquation::white),
         transient_request(6, 6, {.displacement_deviation = s_y, .velocity_deviation = s_v}));
     ASSERT_EQ(result.status, Status::ok) << result.reason;
@@ -71,7 +71,7 @@ TEST(ClosureOverTime, IsExactForALinearOscillatorAtAnElasticWallUnderWhiteNoise)
       EXPECT_NEAR(s.moments.y1, std::sqrt(2 / M_PI * exact.zz), 1e-6);
       EXPECT_NEAR(s.moments.v4, 3 * exact.vv * exact.vv, 1e-5);
       double mass = 0;
-      for (std::size_t b = 0; b < s.y.size(); ++b) mass += s.y.density[b] * s.y.width(b);
+      for (std::size_t b = 0; b < s.y.size(); ++b) mass += s.y.density[b] * s.y.bin_width(b);
       EXPECT_NEAR(mass, 1, 1e-6);
     }
   }
@@ -81,10 +81,10 @@ TEST(ClosureOverTime, IsExactForALinearOscillatorAtAnElasticWallUnderWhiteNoise)
 // closure whose basis contains them, under impulses and noise that change in time.
 TEST(ClosureOverTime, HasTheExactSecondMomentsUnderARateThatChangesInTime) {
   auto problem = tests::make_problem({.cubic = 0, .restitution = 1});
-  problem.time = problem::TimeDependence({.rate = "1 + 0.8*sin(2*t)"}, {});
+  problem.time = problem::ExcitationTimeDependence({.rate = "1 + 0.8*sin(2*t)"}, {});
   const double s_y = 0.6, s_v = 0.9;
   for (const Formulation formulation : {Formulation::moment, Formulation::polar}) {
-    const Transient result = solve_transient(
+    const TransientDensities result = solve_transient(
         problem, closure_options(formulation, 6),
         transient_request(3, 3, {.displacement_deviation = s_y, .velocity_deviation = s_v}));
     ASSERT_EQ(result.status, Status::ok) << result.reason;
@@ -104,10 +104,10 @@ TEST(ClosureOverTime, HasTheExactSecondMomentsUnderARateThatChangesInTime) {
 TEST(ClosureOverTime, HasTheExactMomentsUnderNoiseAndAForceThatChangeInTime) {
   auto problem = read_problem_text(
       "[system]\ndamping = 0.1\nstiffness = 1\n[wall]\nnone = true\n[noise]\nintensity = 0.1\n");
-  problem.time =
-      problem::TimeDependence({.intensity = "exp(-t)", .force = "0.5*cos(1.3*t) + 0.1*t"}, {});
+  problem.time = problem::ExcitationTimeDependence(
+      {.intensity = "exp(-t)", .force = "0.5*cos(1.3*t) + 0.1*t"}, {});
   for (const int order : {2, 4}) {
-    const Transient result = solve_transient(
+    const TransientDensities result = solve_transient(
         problem, closure_options(Formulation::moment, order),
         transient_request(3, 3, {.displacement_deviation = 0.6, .velocity_deviation = 0.8}));
     ASSERT_EQ(result.status, Status::ok) << result.reason;
@@ -129,12 +129,13 @@ TEST(ClosureOverTime, OfThePaperIsExactForALinearOscillatorWithoutAWall) {
       "[system]\ndamping = 0.1\nstiffness = 1\n[wall]\nnone = true\n[noise]\nintensity = 0.1\n");
   for (const int order : {2, 4}) {
     SCOPED_TRACE(order);
-    const Transient result = solve_transient(problem, closure_options(Formulation::gaussian, order),
-                                             transient_request(3, 3,
-                                                               {.displacement_deviation = 0.5,
-                                                                .velocity_deviation = 0.6,
-                                                                .mean_displacement = 0.3,
-                                                                .mean_velocity = -0.2}));
+    const TransientDensities result =
+        solve_transient(problem, closure_options(Formulation::gaussian, order),
+                        transient_request(3, 3,
+                                          {.displacement_deviation = 0.5,
+                                           .velocity_deviation = 0.6,
+                                           .mean_displacement = 0.3,
+                                           .mean_velocity = -0.2}));
     ASSERT_EQ(result.status, Status::ok) << result.reason;
     for (const auto& s : result.snapshots) {
       SCOPED_TRACE(s.time);
@@ -152,11 +153,11 @@ TEST(ClosureOverTime, OfThePaperIsExactForALinearOscillatorWithoutAWall) {
 // positive leading coefficient. A density that is wider than the weights makes them singular.
 TEST(ClosureOverTime, OfThePaperStatesWhyItHasNoDensity) {
   const auto problem = tests::paper_case(1);
-  const Transient rising =
+  const TransientDensities rising =
       solve_transient(problem, closure_options(Formulation::gaussian, 4), transient_request(6, 1));
   EXPECT_EQ(rising.status, Status::inadmissible);
   EXPECT_NE(rising.reason.find("edge of its support"), std::string::npos) << rising.reason;
-  const Transient wide = solve_transient(
+  const TransientDensities wide = solve_transient(
       problem, closure_options(Formulation::gaussian, 2),
       transient_request(1, 1, {.displacement_deviation = 1.2, .velocity_deviation = 1.2}));
   EXPECT_EQ(wide.status, Status::not_converged);
@@ -167,12 +168,12 @@ TEST(ClosureOverTime, OfThePaperStatesWhyItHasNoDensity) {
 TEST(ClosureOverTime, FindsThePeriodicState) {
   auto problem = read_problem_text(
       "[system]\ndamping = 0.1\nstiffness = 1\n[wall]\nnone = true\n[noise]\nintensity = 0.1\n");
-  problem.time =
-      problem::TimeDependence({.intensity = "1 + 0.9*sin(2*t)", .force = "0.1*cos(t)"}, {});
+  problem.time = problem::ExcitationTimeDependence(
+      {.intensity = "1 + 0.9*sin(2*t)", .force = "0.1*cos(t)"}, {});
   const double period = 2 * M_PI;
   TransientRequest periodic = transient_request(period, 3);
   periodic.periodic = true;
-  const Transient result =
+  const TransientDensities result =
       solve_transient(problem, closure_options(Formulation::moment, 4), periodic);
   ASSERT_EQ(result.status, Status::ok) << result.reason;
   for (const auto& s : result.snapshots) {
@@ -201,7 +202,7 @@ TEST(ClosureOverTime, SatisfiesTheBalanceOfPower) {
   for (const auto& options :
        {closure_options(Formulation::moment, 6), closure_options(Formulation::polar, 4)}) {
     SCOPED_TRACE(name(options.formulation));
-    const Transient result = solve_transient(problem, options, transient_request(0.4, 4));
+    const TransientDensities result = solve_transient(problem, options, transient_request(0.4, 4));
     ASSERT_EQ(result.status, Status::ok) << result.reason;
     ASSERT_EQ(result.snapshots.size(), 5u);
     const auto& s = result.snapshots;
@@ -221,10 +222,10 @@ TEST(ClosureOverTime, RelaxesToTheStationaryClosure) {
        {closure_options(Formulation::moment, 2), closure_options(Formulation::polar, 4),
         closure_options(Formulation::gaussian, 2),
         closure_options(Formulation::gaussian, 4, DensityEquation::white)}) {
-    SCOPED_TRACE(id(options));
-    const Result stationary = solve(problem, options);
+    SCOPED_TRACE(solution_id(options));
+    const ClosureResult stationary = solve_closure(problem, options);
     ASSERT_EQ(stationary.solution.status, Status::ok) << stationary.solution.reason;
-    const Transient result = solve_transient(problem, options, transient_request(120, 12));
+    const TransientDensities result = solve_transient(problem, options, transient_request(120, 12));
     ASSERT_EQ(result.status, Status::ok) << result.reason;
     EXPECT_NEAR(result.snapshots.back().moments.y2, stationary.solution.moments.y2, 2e-6);
     EXPECT_NEAR(result.snapshots.back().moments.v2, stationary.solution.moments.v2, 2e-6);
@@ -233,7 +234,8 @@ TEST(ClosureOverTime, RelaxesToTheStationaryClosure) {
 
 // The slowest decay rate of the density itself is 0.1186 in case 1 (docs/theory.md).
 TEST(ClosureOverTime, HasTheRelaxationRateOfTheDensity) {
-  const Result result = solve(tests::paper_case(1), closure_options(Formulation::polar, 6));
+  const ClosureResult result =
+      solve_closure(tests::paper_case(1), closure_options(Formulation::polar, 6));
   ASSERT_TRUE(result.summary.half_plane);
   EXPECT_NEAR(result.summary.half_plane->relaxation_rate, 0.1186, 5e-4);
   EXPECT_NEAR(result.summary.half_plane->relaxation_frequency, 0, 1e-6);
@@ -241,7 +243,7 @@ TEST(ClosureOverTime, HasTheRelaxationRateOfTheDensity) {
 
 // Values by finite volumes with a time tolerance of 1e-7 and by epc-polar-n8, which agree to 5e-5
 TEST(ClosureOverTime, HasTheMomentsOfCase1) {
-  const Transient result = solve_transient(
+  const TransientDensities result = solve_transient(
       tests::paper_case(1), closure_options(Formulation::polar, 6), transient_request(6, 2));
   ASSERT_EQ(result.status, Status::ok) << result.reason;
   EXPECT_NEAR(result.snapshots[1].moments.y2, 0.18981, 2e-4);
@@ -259,12 +261,12 @@ TEST(ClosureOverTime, HasTheMomentsOfCase1) {
 // 10 is larger.
 TEST(ClosureOverTime, ConvergesWithTheOrder) {
   const auto density_at_1 = [](int order) {
-    Options options = closure_options(Formulation::polar, order);
+    ClosureOptions options = closure_options(Formulation::polar, order);
     options.max_seconds = 300;
     TransientRequest request = transient_request(1, 1);
     request.y_edges = uniform_edges(0, 3, 100);
     request.v_edges = uniform_edges(-4, 4, 100);
-    const Transient result = solve_transient(tests::paper_case(1), options, request);
+    const TransientDensities result = solve_transient(tests::paper_case(1), options, request);
     EXPECT_EQ(result.status, Status::ok) << result.reason;
     return result.snapshots.at(1);
   };
@@ -288,8 +290,10 @@ TEST(ClosureOverTime, IsMirroredWithTheProblem) {
       transient_request(1, 1, {.mean_displacement = -0.3, .mean_velocity = -0.2});
   from_left.y_edges = uniform_edges(-0.2, 4.8, 20);
   from_right.y_edges = uniform_edges(-4.8, 0.2, 20);
-  const Transient a = solve_transient(left, closure_options(Formulation::moment, 4), from_left);
-  const Transient b = solve_transient(right, closure_options(Formulation::moment, 4), from_right);
+  const TransientDensities a =
+      solve_transient(left, closure_options(Formulation::moment, 4), from_left);
+  const TransientDensities b =
+      solve_transient(right, closure_options(Formulation::moment, 4), from_right);
   ASSERT_EQ(a.status, Status::ok) << a.reason;
   ASSERT_EQ(b.status, Status::ok) << b.reason;
   EXPECT_NEAR(a.snapshots[1].moments.y1, -b.snapshots[1].moments.y1, 1e-9);
@@ -301,7 +305,7 @@ TEST(ClosureOverTime, IsMirroredWithTheProblem) {
 
 TEST(ClosureOverTime, RefusesWhatNoClosureApproximates) {
   const auto problem = tests::paper_case(1);
-  const auto status = [&](const Options& options, problem::InitialDensityOptions start) {
+  const auto status = [&](const ClosureOptions& options, problem::InitialDensityOptions start) {
     return solve_transient(problem, options, transient_request(1, 1, start));
   };
   const auto polar = closure_options(Formulation::polar, 4);
@@ -313,16 +317,17 @@ TEST(ClosureOverTime, RefusesWhatNoClosureApproximates) {
   EXPECT_EQ(status(closure_options(Formulation::gaussian, 4, DensityEquation::kf), {}).status,
             Status::not_offered);
   auto forced = problem;
-  forced.time = problem::TimeDependence({.force = "cos(t)"}, {});
+  forced.time = problem::ExcitationTimeDependence({.force = "cos(t)"}, {});
   EXPECT_EQ(solve_transient(forced, gaussian, transient_request(1, 1)).status, Status::not_offered);
   EXPECT_FALSE(status(polar, {.velocity_deviation = 0.1}).reason.empty());
   EXPECT_THROW(status(polar, {.mean_displacement = -1}), InputError);
 }
 
 TEST(ClosureOverTime, StopsAtTheTimeLimit) {
-  Options options = closure_options(Formulation::polar, 8);
+  ClosureOptions options = closure_options(Formulation::polar, 8);
   options.max_seconds = 1e-3;
-  const Transient result = solve_transient(tests::paper_case(1), options, transient_request(30, 3));
+  const TransientDensities result =
+      solve_transient(tests::paper_case(1), options, transient_request(30, 3));
   EXPECT_EQ(result.status, Status::not_converged);
   EXPECT_LT(result.snapshots.size(), 4u);
 }

@@ -71,7 +71,7 @@ LinearMoments linear_moments_in_time(const problem::Problem& problem,
   const auto rates = [&](const State& x, State& rate, double t) {
     const auto& [z, v, zz, zv, vv] = x;
     const double a = problem.time.rate_factor(t);
-    const double force = problem.impulses.rate_times_moment(1) * a + problem.time.force(t);
+    const double force = problem.impulses.rate_times_moment(1) * a + problem.time.external_force(t);
     const double intensity = problem.impulses.rate_times_moment(2) * a +
                              problem.noise.intensity * problem.time.intensity_factor(t);
     rate = {v, -k * z - c * v + force, 2 * zv, vv - k * zz - c * zv + force * z,

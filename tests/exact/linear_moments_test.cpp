@@ -74,7 +74,7 @@ TEST(LinearMoments, InTimeAreThoseOfTheConstantExcitation) {
 // The response to F = F_0 cos(w t) after the decay of the initial state.
 TEST(LinearMoments, InTimeHaveTheResponseToAHarmonicForce) {
   Problem p = linear(0.3);
-  p.time = TimeDependence({.force = "0.4*cos(1.1*t)"}, {});
+  p.time = ExcitationTimeDependence({.force = "0.4*cos(1.1*t)"}, {});
   const double t = 200, w = 1.1, k = 1.7, c = 0.3;
   const auto m = linear_moments_in_time(p, kStart, t);
   const double real = k - w * w, imaginary = c * w, square = real * real + imaginary * imaginary;

@@ -21,12 +21,12 @@ namespace {
 
 // Cell averages of a function, by five Gauss points in each direction.
 template <class Function>
-Eigen::VectorXd cell_averages(const Grid& grid, const Function& f) {
+Eigen::VectorXd cell_averages(const PhasePlaneGrid& grid, const Function& f) {
   using Rule = boost::math::quadrature::gauss<double, 5>;
   Eigen::VectorXd averages(grid.size());
   for (int i = 0; i < grid.nx(); ++i) {
-    for (int j = 0; j < grid.nv(); ++j) {
-      averages(i * grid.nv() + j) =
+    for (int j = 0; j < grid.v_cell_count(); ++j) {
+      averages(i * grid.v_cell_count() + j) =
           Rule::integrate(
               [&](double x) {
                 return Rule::integrate([&](double v) { return f(x, v); }, grid.x2.face_position(j),
@@ -39,7 +39,7 @@ Eigen::VectorXd cell_averages(const Grid& grid, const Function& f) {
   return averages;
 }
 
-double l1(const Grid& grid, const Eigen::VectorXd& averages) {
+double l1(const PhasePlaneGrid& grid, const Eigen::VectorXd& averages) {
   return grid.cell_areas().dot(averages.cwiseAbs());
 }
 
@@ -56,15 +56,15 @@ void expect_order(double coarse, double middle, double fine, double factor, doub
 
 // The null vector on a grid.
 struct Solved {
-  Grid grid;
+  PhasePlaneGrid grid;
   Eigen::VectorXd averages;
 };
 Solved stationary(const problem::Problem& p, DensityEquation equation, int order, int nx, int nv,
                   double x1_max, double x2_max) {
-  Grid grid = make_grid(nx, nv, x1_max, x2_max);
-  const Excitation excitation = equation == DensityEquation::kf
-                                    ? jump_excitation(p.impulses, grid.x2)
-                                    : white_noise_excitation(p.impulses);
+  PhasePlaneGrid grid = make_grid(nx, nv, x1_max, x2_max);
+  const DiscreteExcitation excitation = equation == DensityEquation::kf
+                                            ? jump_excitation(p.impulses, grid.x2)
+                                            : white_noise_excitation(p.impulses);
   const auto op = fokker_planck_operator(p.system, excitation, ImpactCondition::map, grid, order);
   Preconditioner preconditioner(p, excitation, ImpactCondition::map, grid);
   auto solution =
@@ -123,7 +123,8 @@ TEST(ImpulseLaws, EachGivesTheExactMarginalsOfTheLinearOscillator) {
     const auto p = tests::make_problem({.cubic = 0, .restitution = 1, .law = law});
     const exact::LinearDensity exact(p, 1e-11);
     const auto solution =
-        solve(p, {.stepper = StationarySolver::direct, .error_estimate = false}).solution;
+        solve_stationary_density(p, {.stepper = StationarySolver::direct, .error_estimate = false})
+            .solution;
     ASSERT_EQ(solution.status, transform::Status::ok) << solution.reason;
     const auto [y, v] = tests::distances(
         solution, [&](const auto& edges) { return exact.displacement_averages(edges); },
@@ -163,8 +164,8 @@ TEST_P(ObservedOrder, AManufacturedDensityWithLossesHasTheOrderOfTheScheme) {
     const auto p = tests::make_problem({.cubic = 0.3, .restitution = r, .intensity = 0.5});
     const Manufactured exact{p.system, p.impulses.intensity() / 2};
     const auto error = [&](int nx) {
-      const Grid grid = make_grid(nx, 4 * nx, 5.0, 5.5);
-      const Excitation excitation = white_noise_excitation(p.impulses);
+      const PhasePlaneGrid grid = make_grid(nx, 4 * nx, 5.0, 5.5);
+      const DiscreteExcitation excitation = white_noise_excitation(p.impulses);
       const auto op =
           fokker_planck_operator(p.system, excitation, ImpactCondition::map, grid, order);
       const Eigen::VectorXd density =
@@ -202,13 +203,14 @@ TEST(SelfConvergence, ThePapersCasesHaveOrderFiveOnGradedGrids) {
       coefficients.restitution = r;
       p.system = problem::System(coefficients);
       const auto moments_at = [&](double refinement) {
-        return solve(p, {.stepper = StationarySolver::direct,
-                         .refinement = refinement,
-                         .origin_refinement = 16,
-                         .x1_max = 6.2 * std::sqrt(0.45 * p.impulses.intensity() / 0.1 /
-                                                   (1 + 10 * (1 - r) + (number == 4 ? 3 : 0))),
-                         .x2_max = 7.5 * std::sqrt(0.45 * p.impulses.intensity() / 0.1),
-                         .error_estimate = false})
+        return solve_stationary_density(
+                   p, {.stepper = StationarySolver::direct,
+                       .refinement = refinement,
+                       .origin_refinement = 16,
+                       .x1_max = 6.2 * std::sqrt(0.45 * p.impulses.intensity() / 0.1 /
+                                                 (1 + 10 * (1 - r) + (number == 4 ? 3 : 0))),
+                       .x2_max = 7.5 * std::sqrt(0.45 * p.impulses.intensity() / 0.1),
+                       .error_estimate = false})
             .solution.moments;
       };
       const auto a = moments_at(0.8), b = moments_at(0.8 * std::sqrt(2.0)), c = moments_at(1.6);

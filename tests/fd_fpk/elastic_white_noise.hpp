@@ -14,8 +14,8 @@ namespace fpkcheck::tests {
 
 /// Options for the null vector on nx x nv cells. The walls of the box have equal energy, at 5.5
 /// standard deviations of the velocity from rest.
-inline fd_fpk::Options elastic_white_noise_exponent(const problem::Problem& p, int order, int nx,
-                                                    int nv) {
+inline fd_fpk::FiniteVolumeOptions elastic_white_noise_exponent(const problem::Problem& p,
+                                                                int order, int nx, int nv) {
   constexpr double kDeviations = 5.5;
   const double v2 = exact::mean_square_velocity(p) * kDeviations * kDeviations;
   return {.equation = problem::DensityEquation::white,
@@ -37,7 +37,7 @@ inline MarginalErrors errors_of(const transform::Solution& solution, const probl
   const auto l1_distance = [](const transform::Marginal& marginal, const auto& exact) {
     double sum = 0;
     for (std::size_t b = 0; b < marginal.size(); ++b) {
-      sum += std::abs(marginal.density[b] * marginal.width(b) -
+      sum += std::abs(marginal.density[b] * marginal.bin_width(b) -
                       Rule::integrate(exact, marginal.edges[b], marginal.edges[b + 1]));
     }
     return sum;

@@ -22,7 +22,7 @@ using transform::Status;
 
 problem::Problem read(const std::string& text) {
   std::istringstream ini(text);
-  return problem::read_case(ini, "test", "test.ini", {}, problem::CaseNaming::with_overrides);
+  return problem::read_case(ini, "test", "test.ini", {}, problem::CaseNamingRule::with_overrides);
 }
 
 std::string without_wall(const std::string& force, const std::string& excitation) {
@@ -60,7 +60,7 @@ std::vector<double> cell_probabilities(const std::vector<double>& cells,
 
 void expect_law(const problem::Problem& problem, const JointDensity& exact) {
   const problem::Problem seen = tests::in_wall_coordinates(problem);
-  const auto [in_frame, summary] = solve(seen, {});
+  const auto [in_frame, summary] = solve_stationary_density(seen, {});
   const auto solution = transform::to_physical_coordinates(seen.frame, in_frame);
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
   ASSERT_TRUE(summary.error);
@@ -70,7 +70,7 @@ void expect_law(const problem::Problem& problem, const JointDensity& exact) {
     const auto found = marginal(solution, variable, edges);
     double sum = 0;
     for (std::size_t b = 0; b < found.size(); ++b) {
-      sum += std::abs(found.density[b] * found.width(b) - probabilities[b]);
+      sum += std::abs(found.density[b] * found.bin_width(b) - probabilities[b]);
     }
     return sum;
   };
@@ -126,9 +126,9 @@ TEST(ExactLawsOfFormulas, OfNoiseWithAFactorOfTheDisplacement) {
              });
 }
 
-// Dimentberg 1982: y'' + 2a y'(1 + eta) + b y'(y^2 + y'^2/W^2) + W^2 y (1 + xi) = zeta, where eta, xi
-// and zeta together are one noise of diffusion coefficient D G = D_zeta + s H. Here a = 0.5, b = 0.1,
-// W^2 = 2, D_eta = 0.02, D_zeta = 0.1, D_xi W^2 = 4 a^2 D_eta.
+// Dimentberg 1982: y'' + 2a y'(1 + eta) + b y'(y^2 + y'^2/W^2) + W^2 y (1 + xi) = zeta, where eta,
+// xi and zeta together are one noise of diffusion coefficient D G = D_zeta + s H. Here a = 0.5, b =
+// 0.1, W^2 = 2, D_eta = 0.02, D_zeta = 0.1, D_xi W^2 = 4 a^2 D_eta.
 TEST(ExactLawsOfFormulas, OfNoiseInDampingAndStiffness) {
   expect_law(read(without_wall("v + 0.1*v*(y^2 + v^2/2) + 2*y",
                                noise("sqrt(1 + 0.2*v^2 + 0.4*y^2)", "stratonovich"))),
@@ -161,10 +161,11 @@ TEST(ExactLawsOfFormulas, OfADampingForWhichImpulsesHaveAGaussianVelocity) {
 // The term 0*v hides the constant from the parser.
 TEST(ExactLawsOfFormulas, AreThoseOfANumberForAConstantRestitution) {
   const auto solution_of = [](const std::string& restitution) {
-    return solve(tests::in_wall_coordinates(
-                     read("[system]\nforce = 0.2*v + y\n[wall]\nleft = 0.1\nleft_restitution = " +
-                          restitution + "\n[noise]\nintensity = 0.2\n")),
-                 {.refinement = 0.7, .error_estimate = false})
+    return solve_stationary_density(
+               tests::in_wall_coordinates(
+                   read("[system]\nforce = 0.2*v + y\n[wall]\nleft = 0.1\nleft_restitution = " +
+                        restitution + "\n[noise]\nintensity = 0.2\n")),
+               {.refinement = 0.7, .error_estimate = false})
         .solution;
   };
   const auto number = solution_of("0.8"), formula = solution_of("0.8 + 0*v");

@@ -25,8 +25,9 @@ struct Law {
   std::optional<double> impact_rate = {}, y1 = {}, y2 = {}, y4 = {}, v2 = {}, v4 = {};
 };
 
-void expect_law(const Problem& given, const Options& options, const Law& law) {
-  const auto [solution, summary] = solve(tests::in_wall_coordinates(given), options);
+void expect_law(const Problem& given, const FiniteVolumeOptions& options, const Law& law) {
+  const auto [solution, summary] =
+      solve_stationary_density(tests::in_wall_coordinates(given), options);
   ASSERT_TRUE(solution.density) << solution.reason;
   ASSERT_TRUE(summary.error);
   const auto expect = [&](const char* what, const std::optional<double>& exact, double found,
@@ -45,7 +46,7 @@ void expect_law(const Problem& given, const Options& options, const Law& law) {
   expect("E[v^4]", law.v4, found.v4, stated.v4);
 }
 
-Options direct_options(double refinement = 1) {
+FiniteVolumeOptions direct_options(double refinement = 1) {
   return {.stepper = StationarySolver::direct, .refinement = refinement};
 }
 
@@ -53,7 +54,7 @@ void expect_ball(double restitution, double refinement) {
   SCOPED_TRACE(restitution);
   const exact::InelasticBall ball(restitution);
   const System system({.damping = 0, .constant = 1, .restitution = restitution});
-  Options options = direct_options(refinement);
+  FiniteVolumeOptions options = direct_options(refinement);
   // No finer grids for any status.
   options.refine_unresolved = false;
   options.max_seconds = 200;  // the law, not the time, is tested
@@ -144,7 +145,7 @@ TEST(ExactLaws, OfTheRateOfImpactsOfTheLinearOscillatorAtItsEquilibrium) {
   const double k = 2.3;
   const auto p =
       tests::make_problem({.damping = 0.3, .stiffness = k, .cubic = 0, .restitution = 1});
-  Options options = direct_options();
+  FiniteVolumeOptions options = direct_options();
   options.equation = DensityEquation::white;
   const double y2 = 0.1 / (2 * 0.3 * k);
   expect_law(p, options,

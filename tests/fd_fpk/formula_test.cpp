@@ -41,7 +41,7 @@ TEST(Formula, HasTheOperatorOfItsPolynomial) {
       system_of("v*(0.1 + 0.3*y^2 + 0.2*v^2) + 0.4 + y - 0.3*y^2 + 0.5*y^3 + 0*abs(y)", walls);
   ASSERT_TRUE(polynomial.has_polynomial_force());
   ASSERT_FALSE(formula.has_polynomial_force());
-  const Grid grid = make_grid(14, 20, 2.5, 3.0, {0.5, 0.2}, {0.5, 0.3});
+  const PhasePlaneGrid grid = make_grid(14, 20, 2.5, 3.0, {0.5, 0.2}, {0.5, 0.3});
   const auto impulses = tests::gaussian_impulses(1, 0.5);
   for (const int order : {4, 5, 7}) {
     const auto assembled = [&](const problem::System& system) {
@@ -77,7 +77,7 @@ TEST(Formula, HasTheExactLawOfEnergyDependentDamping) {
       v4 += w * v * v * v * v;
     }
   }
-  const auto [solution, summary] = solve(p, {});
+  const auto [solution, summary] = solve_stationary_density(p, {});
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
   EXPECT_NEAR(solution.moments.y2, y2 / mass, 1e-6);
   EXPECT_NEAR(solution.moments.v2, v2 / mass, 1e-6);
@@ -89,7 +89,8 @@ TEST(Formula, HasTheExactLawOfEnergyDependentDamping) {
 TEST(Formula, KeepsTheBalanceOfPowerUnderImpulses) {
   const auto p = tests::with_impulses(system_of("0.1*v + tanh(2*y) + 0.2*y"),
                                       tests::gaussian_impulses(1, 0.2));
-  const auto solution = solve(p, {.refinement = 0.7, .error_estimate = false}).solution;
+  const auto solution =
+      solve_stationary_density(p, {.refinement = 0.7, .error_estimate = false}).solution;
   EXPECT_NEAR(solution.moments.v2, 1, 2e-4);
   EXPECT_LT(std::abs(solution.energy_residual), 2e-4);
 }
@@ -97,8 +98,8 @@ TEST(Formula, KeepsTheBalanceOfPowerUnderImpulses) {
 TEST(Formula, HasFacesAtItsKinks) {
   const auto p = tests::with_impulses(system_of("0.1*v + y + 4*max(y - 0.5, 0) - 3*abs(y + 0.3)"),
                                       tests::gaussian_impulses(1, 0.2));
-  const Box box{.x1_max = 2, .x2_max = 3, .x1_min = -2, .lengths = {1, 1}};
-  const auto faces = discretise(p, {}, box).grid.x1.faces();
+  const PhasePlaneBox box{.x1_max = 2, .x2_max = 3, .x1_min = -2, .lengths = {1, 1}};
+  const auto faces = discretise_density_equation(p, {}, box).grid.x1.faces();
   for (const double kink : {-0.3, 0.5}) {
     double nearest = 1;
     for (const double face : faces) nearest = std::min(nearest, std::abs(face - kink));
@@ -110,8 +111,8 @@ TEST(Formula, HasFacesAtItsKinks) {
 TEST(Formula, HasNarrowerCellsOnTheStiffSideOfAKink) {
   const auto p =
       tests::with_impulses(system_of("0.1*v + y - 8*max(-y, 0)"), tests::gaussian_impulses(1, 0.2));
-  const Box box{.x1_max = 4, .x2_max = 3, .x1_min = -4, .lengths = {1, 1}};
-  const Axis x1 = discretise(p, {}, box).grid.x1;
+  const PhasePlaneBox box{.x1_max = 4, .x2_max = 3, .x1_min = -4, .lengths = {1, 1}};
+  const GridAxis x1 = discretise_density_equation(p, {}, box).grid.x1;
   EXPECT_NEAR(x1.cell_width(x1.cell_count() - 1) / x1.cell_width(0), 3, 0.1);
   for (int i = 0; i + 1 < x1.cell_count(); ++i) {
     EXPECT_LT(std::abs(std::log(x1.cell_width(i + 1) / x1.cell_width(i))), 0.25) << i;
@@ -128,7 +129,7 @@ TEST(Formula, HasTheExactLawOfDryFrictionInABox) {
   const auto law = [](double v) {
     return std::exp(-(0.1 * v * v + 0.3 * std::abs(v)) / kDiffusion);
   };
-  const auto [solution, summary] = solve(p, {});
+  const auto [solution, summary] = solve_stationary_density(p, {});
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
   const auto& [y, v, averages] = std::get<transform::GridDensity>(*solution.density);
   std::vector<double> masses;
@@ -157,7 +158,7 @@ TEST(Formula, HasTheExactLawOfDryFrictionInABox) {
 // E|v| = D/0.2, the balance of power, and E[v^2] = E[y^2] + 0.2 E[y sign v], the virial.
 TEST(Formula, KeepsTheBalancesOfDryFrictionUnderWhiteNoise) {
   const auto p = tests::with_noise(system_of("0.2*sign(v) + y"), 0.2);
-  const auto [solution, summary] = solve(p, {});
+  const auto [solution, summary] = solve_stationary_density(p, {});
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
   EXPECT_LT(std::abs(solution.energy_residual), 3e-5);
   EXPECT_LT(std::abs(*summary.balances.virial), 3e-5);
@@ -169,14 +170,14 @@ TEST(Formula, KeepsTheBalancesOfDryFrictionUnderWhiteNoise) {
 // Under impulses alone dry friction holds the mass at rest on an interval of y: the law has atoms.
 TEST(Formula, MustNotJumpInVelocityWithoutNoiseOrElsewhereThanAtRest) {
   const auto impulses = tests::gaussian_impulses(1, 0.2);
-  const auto reason = [&](const std::string& formula, const Options& options = {}) {
+  const auto reason = [&](const std::string& formula, const FiniteVolumeOptions& options = {}) {
     return unsupported_reason(tests::with_impulses(system_of(formula), impulses), options);
   };
   EXPECT_NE(reason("0.2*sign(v) + y").find("stick"), std::string::npos);
   EXPECT_NE(reason("0.1*v + 0.3*sign(v - 0.5) + y").find("stick"), std::string::npos);
   EXPECT_EQ(reason("0.1*v + 0.3*sign(y) + y"), "");
   EXPECT_EQ(reason("0.2*tanh(v/0.01) + y"), "");
-  const Options white{.equation = DensityEquation::white};
+  const FiniteVolumeOptions white{.equation = DensityEquation::white};
   EXPECT_EQ(reason("0.2*sign(v) + y", white), "");
   EXPECT_NE(reason("0.1*v + 0.3*sign(v - 0.5) + y", white).find("only at v = 0"),
             std::string::npos);
@@ -188,36 +189,36 @@ TEST(Formula, MustNotJumpInVelocityWithoutNoiseOrElsewhereThanAtRest) {
 TEST(Formula, KeepsTheBalanceOfPowerWithKinksWithinItsError) {
   for (const char* formula : {"0.1*v + y + 4*max(y - 0.5, 0)", "0.1*v + y - 50*max(-y, 0)^1.5"}) {
     const auto p = tests::with_impulses(system_of(formula), tests::gaussian_impulses(1, 0.2));
-    const auto [solution, summary] = solve(p, {});
+    const auto [solution, summary] = solve_stationary_density(p, {});
     ASSERT_EQ(solution.status, Status::ok) << formula << ": " << solution.reason;
     EXPECT_NEAR(solution.moments.v2, 1, summary.error->moments.v2) << formula;
     EXPECT_LT(summary.error->moments.v2, 1e-4) << formula;
   }
   const auto p = tests::with_impulses(system_of("0.2*v*abs(v) + y + 0.1*y^3"),
                                       tests::gaussian_impulses(1, 0.5));
-  const auto [solution, summary] = solve(p, {});
+  const auto [solution, summary] = solve_stationary_density(p, {});
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
   EXPECT_LE(std::abs(solution.energy_residual),
             summary.error->moments.v2 / solution.moments.v2 * (1 + 1e-9));
   EXPECT_LT(std::abs(solution.energy_residual), 2e-5);
 }
 
-// The density at the lower end of y falls below the limit with the first move of this end, and rises
-// above the limit again when the other ends move. A finer grid that moved the end would cost a
-// second solution on each grid of the error estimate.
+// The density at the lower end of y falls below the limit with the first move of this end, and
+// rises above the limit again when the other ends move. A finer grid that moved the end would cost
+// a second solution on each grid of the error estimate.
 TEST(Formula, HasABoxThatAFinerGridDoesNotWiden) {
   const auto p = tests::with_impulses(system_of("0.1*v + y + 4*max(y - 0.5, 0)"),
                                       tests::gaussian_impulses(1, 0.2));
   const auto scales = problem::motion_scales(p);
-  Options options;
-  options.order = kHighOrder;
+  FiniteVolumeOptions options;
+  options.order = kHighFiniteVolumeOrder;
   options.refinement = 0.6;
   options.wall_density *= box_edge_density_factor(p);
-  const Box box = stationary_box(p, scales, options, base::Deadline::unlimited());
-  const DirectSolution direct = compute_direct_solution(p, {.scales = scales, .box = box}, options,
-                                                        base::Deadline::unlimited());
+  const PhasePlaneBox box = stationary_box(p, scales, options, base::Deadline::unlimited());
+  const DirectStationarySolution direct = compute_direct_solution(
+      p, {.scales = scales, .box = box}, options, base::Deadline::unlimited());
   ASSERT_TRUE(direct.averages) << direct.failure;
-  const Grid& grid = direct.discretisation.grid;
+  const PhasePlaneGrid& grid = direct.discretisation.grid;
   EXPECT_DOUBLE_EQ(grid.x1.faces().front(), box.x1_min);
   EXPECT_DOUBLE_EQ(grid.x1.faces().back(), box.x1_max);
   EXPECT_DOUBLE_EQ(grid.x2_max(), box.x2_max);
@@ -231,7 +232,7 @@ TEST(Formula, IsTransportedAlongCharacteristicsWhereTheDensityIsUnbounded) {
   const problem::WallParameters wall{.left = 0, .left_restitution = 0.9};
   const auto p = tests::with_impulses(system_of("0.02*v + 0.1*tanh(20*v) + y", wall),
                                       tests::gaussian_impulses(1, 0.5));
-  const auto [solution, summary] = solve(p, {.max_seconds = 60});
+  const auto [solution, summary] = solve_stationary_density(p, {.max_seconds = 60});
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
   EXPECT_EQ(summary.transport, TransportScheme::characteristics);
   EXPECT_GE(solution.min_density, -1e-12);
@@ -248,7 +249,7 @@ TEST(Formula, IsTransportedAlongCharacteristicsWhereTheDensityIsUnbounded) {
 TEST(Formula, HasARelaxationOscillation) {
   const auto p =
       tests::with_impulses(system_of("3*(y^2-1)*v + y"), tests::gaussian_impulses(1, 0.5));
-  const auto [solution, summary] = solve(p, {.max_seconds = 60});
+  const auto [solution, summary] = solve_stationary_density(p, {.max_seconds = 60});
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
   EXPECT_EQ(summary.transport, TransportScheme::characteristics);
   const auto& error = summary.error->moments;
@@ -264,7 +265,8 @@ TEST(Formula, IsTransformedToWallCoordinates) {
   const problem::WallParameters left{.left = -0.4, .left_restitution = 0.8};
   const auto solve_moments = [](const problem::System& system) {
     const auto p = tests::with_noise(system, 0.2);
-    return solve(tests::in_wall_coordinates(p), {.refinement = 0.7}).solution.moments;
+    return solve_stationary_density(tests::in_wall_coordinates(p), {.refinement = 0.7})
+        .solution.moments;
   };
   const auto of_right = solve_moments(system_of("0.3*v + sinh(y) + 0.1*exp(v)*v", right));
   const auto of_left = solve_moments(system_of("0.3*v + sinh(y) + 0.1*exp(-v)*v", left));

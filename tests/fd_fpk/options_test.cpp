@@ -10,7 +10,7 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // Every option differs from its default and from every other option.
-Options changed() {
+FiniteVolumeOptions changed() {
   return {.equation = DensityEquation::km4,
           .impact = ImpactCondition::delta,
           .stepper = StationarySolver::direct,
@@ -80,7 +80,7 @@ TEST(Options, HaveTheNamesOfFilesAndTheFlagsOfTheCommandLine) {
   EXPECT_EQ(found, expected);
 }
 
-std::string refusal(const Options& options) {
+std::string refusal(const FiniteVolumeOptions& options) {
   return tests::refusal([&] { validate(options); }, "");
 }
 
@@ -162,7 +162,8 @@ TEST(TransientOptions, HaveTheFlagsOfTheCommandLine) {
 }
 
 TEST(TransientOptions, InvalidValuesAreRefused) {
-  const auto refused = [](const TransientOptions& transient, const Options& options = {}) {
+  const auto refused = [](const TransientOptions& transient,
+                          const FiniteVolumeOptions& options = {}) {
     EXPECT_THROW(validate(options, transient), InputError);
   };
   EXPECT_NO_THROW(validate({}, {.until = 1}));

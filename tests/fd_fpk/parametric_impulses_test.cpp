@@ -1,5 +1,5 @@
-// Parametric impulses, which change y' by b(y) Y: the operator against jumps of a normal density, and
-// exact moments of a linear oscillator.
+// Parametric impulses, which change y' by b(y) Y: the operator against jumps of a normal density,
+// and exact moments of a linear oscillator.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,14 +24,14 @@ problem::Problem with_factor(const std::string& factor, const std::string& law =
                          "\n[impulse]\nrate = 1\nlaw = " + law +
                          "\nintensity = 0.5\nfactor = " + factor + '\n' + more);
   return tests::in_wall_coordinates(
-      problem::read_case(ini, "test", "test.ini", {}, problem::CaseNaming::with_overrides));
+      problem::read_case(ini, "test", "test.ini", {}, problem::CaseNamingRule::with_overrides));
 }
 
 double normal(double x, double variance) {
   return std::exp(-x * x / (2 * variance)) / std::sqrt(2 * std::numbers::pi * variance);
 }
 
-Eigen::VectorXd rate_of_jumps(const problem::Problem& problem, const Grid& grid,
+Eigen::VectorXd rate_of_jumps(const problem::Problem& problem, const PhasePlaneGrid& grid,
                               const Eigen::VectorXd& averages) {
   FokkerPlanckOperator op{
       .local = SparseColumnMatrix(grid.size(), grid.size()),
@@ -44,17 +44,18 @@ Eigen::VectorXd rate_of_jumps(const problem::Problem& problem, const Grid& grid,
 
 // Returns the averages of a function over the cells, by the rule of Gauss with three points.
 template <class Function>
-Eigen::VectorXd cell_averages(const Grid& grid, const Function& f) {
+Eigen::VectorXd cell_averages(const PhasePlaneGrid& grid, const Function& f) {
   const double at[] = {-std::sqrt(0.15), 0, std::sqrt(0.15)},
                weight[] = {5 / 18.0, 8 / 18.0, 5 / 18.0};
   Eigen::VectorXd averages = Eigen::VectorXd::Zero(grid.size());
   for (int i = 0; i < grid.nx(); ++i) {
-    for (int j = 0; j < grid.nv(); ++j) {
+    for (int j = 0; j < grid.v_cell_count(); ++j) {
       for (int a = 0; a < 3; ++a) {
         for (int b = 0; b < 3; ++b) {
-          averages(i * grid.nv() + j) += weight[a] * weight[b] *
-                                         f(grid.x1.cell_centre(i) + at[a] * grid.x1.cell_width(i),
-                                           grid.x2.cell_centre(j) + at[b] * grid.x2.cell_width(j));
+          averages(i * grid.v_cell_count() + j) +=
+              weight[a] * weight[b] *
+              f(grid.x1.cell_centre(i) + at[a] * grid.x1.cell_width(i),
+                grid.x2.cell_centre(j) + at[b] * grid.x2.cell_width(j));
         }
       }
     }
@@ -69,9 +70,9 @@ TEST(ParametricImpulses, ConvolveTheDensityWithTheLawOfTheirAmplitude) {
   double errors[3];
   for (int level = 0; level < 3; ++level) {
     const int cells = 16 << level;
-    const Grid grid = symmetric_grid(Axis::with_uniform_cells(-6, 12.0 / cells, cells).faces(),
-                                     graded_faces(9, cells, {}), AxisEndCondition::vacuum,
-                                     AxisEndCondition::vacuum);
+    const PhasePlaneGrid grid = symmetric_grid(
+        GridAxis::with_uniform_cells(-6, 12.0 / cells, cells).faces(),
+        graded_cell_faces(9, cells, {}), AxisEndCondition::vacuum, AxisEndCondition::vacuum);
     const Eigen::VectorXd p =
         cell_averages(grid, [](double y, double v) { return normal(y, 1) * normal(v, 1); });
     const Eigen::VectorXd exact = cell_averages(grid, [](double y, double v) {
@@ -91,9 +92,9 @@ TEST(ParametricImpulses, ConvolveTheDensityWithTheLawOfTheirAmplitude) {
 // A factor below 0 reverses a skew law: d/dt E[v^3 | y] = b^3 lambda E[Y^3] at E[v] = 0.
 TEST(ParametricImpulses, OfNegativeFactorReverseTheLaw) {
   const problem::Problem problem = with_factor("1.1*tanh(y) - 0.3", "exponential");
-  const Grid grid =
-      symmetric_grid(Axis::with_uniform_cells(-6, 0.25, 48).faces(), graded_faces(14, 60, {}),
-                     AxisEndCondition::vacuum, AxisEndCondition::vacuum);
+  const PhasePlaneGrid grid = symmetric_grid(GridAxis::with_uniform_cells(-6, 0.25, 48).faces(),
+                                             graded_cell_faces(14, 60, {}),
+                                             AxisEndCondition::vacuum, AxisEndCondition::vacuum);
   const Eigen::VectorXd p =
       cell_averages(grid, [](double y, double v) { return normal(y, 1) * normal(v, 1); });
   const Eigen::VectorXd rate = rate_of_jumps(problem, grid, p);
@@ -102,18 +103,19 @@ TEST(ParametricImpulses, OfNegativeFactorReverseTheLaw) {
   for (const int i : {16, 20, 24, 28}) {
     const double y = grid.x1.cell_centre(i), b = 1.1 * std::tanh(y) - 0.3;
     double skew = 0;
-    for (int j = 0; j < grid.nv(); ++j) {
+    for (int j = 0; j < grid.v_cell_count(); ++j) {
       const double low = grid.x2.face_position(j), high = grid.x2.face_position(j + 1);
-      skew += rate(i * grid.nv() + j) * (std::pow(high, 4) - std::pow(low, 4)) / 4;
+      skew += rate(i * grid.v_cell_count() + j) * (std::pow(high, 4) - std::pow(low, 4)) / 4;
     }
     EXPECT_NEAR(skew / normal(y, 1), b * b * b * third, 0.02 * third) << y;
   }
 }
 
-// For y'' + c y' + k y and b = 1 + e y: E[y^2] = I / (2 c k - I e^2), E[v^2] = k E[y^2], for any law
-// of mean 0 and for white noise of the same intensity.
-void expect_exact_moments(const problem::Problem& problem, const Options& options, double y2) {
-  const auto [solution, summary] = solve(problem, options);
+// For y'' + c y' + k y and b = 1 + e y: E[y^2] = I / (2 c k - I e^2), E[v^2] = k E[y^2], for any
+// law of mean 0 and for white noise of the same intensity.
+void expect_exact_moments(const problem::Problem& problem, const FiniteVolumeOptions& options,
+                          double y2) {
+  const auto [solution, summary] = solve_stationary_density(problem, options);
   ASSERT_EQ(solution.status, transform::Status::ok) << solution.reason;
   ASSERT_TRUE(summary.error);
   EXPECT_NEAR(solution.moments.y2, y2, 2 * summary.error->moments.y2 + 1e-9);
@@ -140,17 +142,19 @@ TEST(ParametricImpulses, AsWhiteNoiseHaveTheExactMoments) {
       {.equation = DensityEquation::white, .max_seconds = 120}, 0.7 / (1 - 0.5 * 0.16));
 }
 
-// The factor 1 as a formula gives the jumps without a factor, to the error of the interpolation in b,
-// which is of degree 5.
+// The factor 1 as a formula gives the jumps without a factor, to the error of the interpolation in
+// b, which is of degree 5.
 TEST(ParametricImpulses, OfFactorOneAreImpulses) {
   const problem::Problem one = with_factor("1"),
                          plain = tests::with_impulses(one.system, one.impulses);
   double differences[3];
   for (int level = 0; level < 3; ++level) {
     const int cells = 24 << level;
-    const Options options{.nx = cells, .nv = cells, .x1_max = 5, .x2_max = 5};
-    const Discretisation of_factor = discretise(one, options, initial_box(one, options)),
-                         of_none = discretise(plain, options, initial_box(plain, options));
+    const FiniteVolumeOptions options{.nx = cells, .nv = cells, .x1_max = 5, .x2_max = 5};
+    const PlaneDiscretisation of_factor = discretise_density_equation(one, options,
+                                                                      initial_box(one, options)),
+                              of_none = discretise_density_equation(plain, options,
+                                                                    initial_box(plain, options));
     const Eigen::VectorXd p = cell_averages(
         of_none.grid, [](double y, double v) { return normal(y - 0.3, 0.5) * normal(v, 0.6); });
     differences[level] = (fokker_planck_operator(one, options, of_factor) * p -

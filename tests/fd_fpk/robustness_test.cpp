@@ -24,7 +24,8 @@ TEST(Robustness, RandomProblemsMeetTheLimitsOfMassEnergyAndSign) {
     const auto p = tests::make_problem(
         {.cubic = cubic, .restitution = restitution, .rate = rate, .intensity = intensity});
     const auto solution =
-        solve(p, {.stepper = StationarySolver::direct, .error_estimate = false}).solution;
+        solve_stationary_density(p, {.stepper = StationarySolver::direct, .error_estimate = false})
+            .solution;
     SCOPED_TRACE("problem " + std::to_string(k) + ", r = " + std::to_string(restitution) +
                  ", lambda = " + std::to_string(rate) + ", mu = " + std::to_string(cubic));
     EXPECT_EQ(solution.status, transform::Status::ok) << solution.reason;
@@ -36,7 +37,7 @@ TEST(Robustness, RandomProblemsMeetTheLimitsOfMassEnergyAndSign) {
 
 TEST(Robustness, ABoxWithMoreCellsThanAnIntHoldsIsRefused) {
   for (const double y : {1e20, 1e300}) {
-    const auto solution = solve(tests::paper_case(1), {.x1_max = y}).solution;
+    const auto solution = solve_stationary_density(tests::paper_case(1), {.x1_max = y}).solution;
     EXPECT_EQ(solution.status, transform::Status::failed);
     EXPECT_NE(solution.reason.find("cells, more than 100000: use fewer cells"), std::string::npos)
         << solution.reason;

@@ -19,7 +19,7 @@ using transform::StateVariable;
 using transform::Status;
 
 // A single grid: error estimates have their own tests.
-Options direct(DensityEquation equation) {
+FiniteVolumeOptions direct(DensityEquation equation) {
   return {.equation = equation, .stepper = StationarySolver::direct, .error_estimate = false};
 }
 
@@ -28,12 +28,12 @@ TEST(Solve, WhiteNoiseConvergesToTheExactMarginalsWithOrderFive) {
   const exact::WhiteNoiseDensity exact(p);
   const auto y_edges = uniform_edges(0, 4, 50), v_edges = uniform_edges(-4, 4, 80);
   const auto error = [&](int cells) {
-    Options options = direct(DensityEquation::white);
+    FiniteVolumeOptions options = direct(DensityEquation::white);
     options.nx = cells;
     options.nv = 2 * cells;
     options.x1_max = 4.6;
     options.x2_max = 5.0;
-    const auto solution = solve(p, options).solution;
+    const auto solution = solve_stationary_density(p, options).solution;
     EXPECT_EQ(solution.status, Status::ok) << solution.reason;
     double sum = 0;
     for (const auto variable : {StateVariable::y, StateVariable::ydot}) {
@@ -46,8 +46,8 @@ TEST(Solve, WhiteNoiseConvergesToTheExactMarginalsWithOrderFive) {
                                               : exact.velocity_marginal(x);
         };
         const double average =
-            (density(edges[b]) + 4 * density(m.centre(b)) + density(edges[b + 1])) / 6;
-        sum += std::abs(m.density[b] - average) * m.width(b);
+            (density(edges[b]) + 4 * density(m.bin_centre(b)) + density(edges[b + 1])) / 6;
+        sum += std::abs(m.density[b] - average) * m.bin_width(b);
       }
     }
     return sum;
@@ -64,16 +64,16 @@ TEST(Solve, WhiteNoiseConvergesToTheExactMarginalsWithOrderFive) {
 
 TEST(Solve, StatesIdentityErrorsAndMetrics) {
   const auto p = tests::paper_case(1);
-  Options options{.equation = DensityEquation::km4,
-                  .impact = ImpactCondition::delta,
-                  .stepper = StationarySolver::direct,
-                  .error_estimate = false};
-  const auto plain = solve(p, options);
+  FiniteVolumeOptions options{.equation = DensityEquation::km4,
+                              .impact = ImpactCondition::delta,
+                              .stepper = StationarySolver::direct,
+                              .error_estimate = false};
+  const auto plain = solve_stationary_density(p, options);
   EXPECT_EQ(plain.solution.identity, solution_identity(options));
   EXPECT_EQ(plain.solution.metrics, metrics(plain.summary));
   EXPECT_FALSE(plain.solution.error);
   options.error_estimate = true;
-  const auto [solution, summary] = solve(p, options);
+  const auto [solution, summary] = solve_stationary_density(p, options);
   EXPECT_EQ(solution.identity, solution_identity(options));
   EXPECT_EQ(solution.metrics, metrics(summary));
   ASSERT_TRUE(solution.error && summary.error);
@@ -84,8 +84,8 @@ TEST(Solve, StatesIdentityErrorsAndMetrics) {
 }
 
 TEST(Solve, StatesIdentityAndMetricsWithoutADensity) {
-  const Options literal{.equation = DensityEquation::km4, .regularisation_length = 0};
-  const auto [solution, summary] = solve(tests::paper_case(1), literal);
+  const FiniteVolumeOptions literal{.equation = DensityEquation::km4, .regularisation_length = 0};
+  const auto [solution, summary] = solve_stationary_density(tests::paper_case(1), literal);
   EXPECT_EQ(solution.id(), "fd-km4");
   EXPECT_EQ(solution.metrics, metrics(summary));
   EXPECT_GT(*metric_number(solution.metrics, "growth_rate"), 1.0);
@@ -93,7 +93,7 @@ TEST(Solve, StatesIdentityAndMetricsWithoutADensity) {
 
 TEST(Solve, JumpsReproduceTheExactCumulantsOfTheLinearOscillator) {
   const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
-  const auto solution = solve(p, direct(DensityEquation::kf)).solution;
+  const auto solution = solve_stationary_density(p, direct(DensityEquation::kf)).solution;
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
   const auto fourth = [&](double k4, double k2) { return k4 + 3 * k2 * k2; };
   const double x2 = exact::linear_cumulant(p, 2, 0);
@@ -116,10 +116,10 @@ TEST(Solve, JumpsReproduceTheNonlinearElasticTable) {
                          Row{.1, .1, 10, 36, 100, .44410, .55904, .7558, 2e-4, 3e-4}}) {
     const auto p = tests::make_problem(
         {.cubic = row.cubic, .restitution = 1, .rate = row.rate, .intensity = row.intensity});
-    Options options = direct(DensityEquation::kf);
+    FiniteVolumeOptions options = direct(DensityEquation::kf);
     options.nx = row.nx;
     options.nv = row.nv;
-    const auto solution = solve(p, options).solution;
+    const auto solution = solve_stationary_density(p, options).solution;
     ASSERT_EQ(solution.status, Status::ok) << solution.reason;
     EXPECT_NEAR(solution.moments.y2, row.y2, 5e-5 * row.y2);
     EXPECT_NEAR(solution.moments.y4, row.y4, row.y4_error);
@@ -134,9 +134,9 @@ TEST(Solve, SteppingMeetsTheLimitsOfMassEnergyAndStationarityForThePapersCases) 
          {DensityEquation::white, DensityEquation::km4, DensityEquation::kf}) {
       // The time limit is generous, because the solver skips time steps if time is short, and the
       // machine may be slow.
-      const auto [solution, summary] =
-          solve(tests::paper_case(number),
-                {.equation = equation, .error_estimate = false, .max_seconds = 600});
+      const auto [solution, summary] = solve_stationary_density(
+          tests::paper_case(number),
+          {.equation = equation, .error_estimate = false, .max_seconds = 600});
       ASSERT_EQ(solution.status, Status::ok) << solution.reason;
       EXPECT_NEAR(solution.mass, 1.0, 1e-10);
       EXPECT_LT(std::abs(solution.energy_residual), 1e-4) << name(equation) << " " << number;
@@ -153,8 +153,10 @@ TEST(Solve, SteppingMeetsTheLimitsOfMassEnergyAndStationarityForThePapersCases) 
 TEST(Solve, CasesTwoAndThreeAreOneProblem) {
   // p_3(y) = a p_2(a y) with a = sqrt(10); likewise for y'.
   const double a = std::sqrt(10.0);
-  const auto two = solve(tests::paper_case(2), direct(DensityEquation::kf)).solution;
-  const auto three = solve(tests::paper_case(3), direct(DensityEquation::kf)).solution;
+  const auto two =
+      solve_stationary_density(tests::paper_case(2), direct(DensityEquation::kf)).solution;
+  const auto three =
+      solve_stationary_density(tests::paper_case(3), direct(DensityEquation::kf)).solution;
   for (const auto variable : {StateVariable::y, StateVariable::ydot}) {
     const auto edges =
         variable == StateVariable::y ? uniform_edges(0, 2, 40) : uniform_edges(-2, 2, 80);
@@ -168,9 +170,9 @@ TEST(Solve, CasesTwoAndThreeAreOneProblem) {
 
 TEST(Solve, TruncationErrorIsSmallAndWhiteNoiseErrorLarge) {
   const auto p = tests::paper_case(1);
-  const auto kf = solve(p, direct(DensityEquation::kf)).solution;
-  const auto km4 = solve(p, direct(DensityEquation::km4)).solution;
-  const auto white = solve(p, direct(DensityEquation::white)).solution;
+  const auto kf = solve_stationary_density(p, direct(DensityEquation::kf)).solution;
+  const auto km4 = solve_stationary_density(p, direct(DensityEquation::km4)).solution;
+  const auto white = solve_stationary_density(p, direct(DensityEquation::white)).solution;
   const auto edges = uniform_edges(-4.5, 4.5, 120);
   const auto reference = marginal(kf, StateVariable::ydot, edges);
   EXPECT_LT(l1_distance(marginal(km4, StateVariable::ydot, edges), reference), 1.5e-3);
@@ -178,8 +180,8 @@ TEST(Solve, TruncationErrorIsSmallAndWhiteNoiseErrorLarge) {
 }
 
 TEST(Solve, LiteralTruncationOnAFineGridIsIllPosedAndNotSolved) {
-  const auto [solution, summary] =
-      solve(tests::paper_case(1), {.equation = DensityEquation::km4, .regularisation_length = 0});
+  const auto [solution, summary] = solve_stationary_density(
+      tests::paper_case(1), {.equation = DensityEquation::km4, .regularisation_length = 0});
   EXPECT_EQ(solution.status, Status::ill_posed);
   EXPECT_FALSE(solution.density.has_value());
   EXPECT_GT(summary.growth_rate, 1.0);
@@ -193,7 +195,7 @@ TEST(Solve, LiteralTruncationOnAFineGridIsIllPosedAndNotSolved) {
 TEST(Solve, NonzeroMeanImpulsesKeepTheEnergyBalanceInEveryEquation) {
   const auto p = tests::make_problem({.restitution = 0.9, .mean = 0.1});
   for (const auto equation : {DensityEquation::white, DensityEquation::km4, DensityEquation::kf}) {
-    const auto solution = solve(p, direct(equation)).solution;
+    const auto solution = solve_stationary_density(p, direct(equation)).solution;
     ASSERT_EQ(solution.status, Status::ok) << solution.reason;
     EXPECT_LT(std::abs(solution.energy_residual), 3e-4);
     EXPECT_NEAR(solution.moments.v1, 0.0, 5e-5);  // dE[y]/dt = E[y'] = 0
@@ -210,9 +212,9 @@ TEST(Solve, KeepsTheBalancesOfVirialAndMomentumInEveryEquationAndImpact) {
       for (const auto equation :
            {DensityEquation::white, DensityEquation::km4, DensityEquation::kf}) {
         SCOPED_TRACE(std::string(name(equation)) + "/" + std::string(name(impact)));
-        Options options = direct(equation);
+        FiniteVolumeOptions options = direct(equation);
         options.impact = impact;
-        const auto [solution, summary] = solve(p, options);
+        const auto [solution, summary] = solve_stationary_density(p, options);
         ASSERT_TRUE(solution.density.has_value()) << solution.reason;
         EXPECT_LT(std::abs(*summary.balances.virial), 5e-5);
         EXPECT_LT(std::abs(*summary.balances.momentum), 5e-5);
@@ -225,7 +227,7 @@ TEST(Solve, KeepsTheBalancesOfVirialAndMomentumInEveryEquationAndImpact) {
 
 TEST(Solve, WidensItsBoxForHeavyTails) {
   const auto [solution, summary] =
-      solve(tests::make_problem({.rate = 0.3}), direct(DensityEquation::kf));
+      solve_stationary_density(tests::make_problem({.rate = 0.3}), direct(DensityEquation::kf));
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
   EXPECT_GT(summary.x2_max, 7.5 * std::sqrt(solution.moments.v2));
   EXPECT_LT(summary.wall.x2, 1e-5);
@@ -236,23 +238,23 @@ TEST(Solve, WidensItsBoxForHeavyTails) {
 TEST(Solve, AnUnresolvedDensityIsInadmissible) {
   for (const auto& p :
        {tests::make_problem({.damping = 3, .cubic = 0}), tests::make_problem({.rate = 0.02})}) {
-    Options free = direct(DensityEquation::kf);
+    FiniteVolumeOptions free = direct(DensityEquation::kf);
     free.error_estimate = true;
-    Options upwind = free;
+    FiniteVolumeOptions upwind = free;
     upwind.transport = TransportScheme::upwind;
     upwind.refine_unresolved = false;
-    const auto unresolved = solve(p, upwind).solution;
+    const auto unresolved = solve_stationary_density(p, upwind).solution;
     EXPECT_EQ(unresolved.status, Status::inadmissible) << unresolved.min_density;
     EXPECT_NE(unresolved.reason.find("refine"), std::string::npos) << unresolved.reason;
-    const auto [solution, summary] = solve(p, free);
+    const auto [solution, summary] = solve_stationary_density(p, free);
     EXPECT_EQ(solution.status, Status::ok) << solution.reason;
     EXPECT_EQ(summary.transport, TransportScheme::characteristics);
   }
 }
 
 TEST(Solve, DoesNotDependOnTheUnitOfTime) {
-  const Options white{.equation = DensityEquation::white, .error_estimate = false};
-  const auto reference = solve(tests::paper_case(1), white);
+  const FiniteVolumeOptions white{.equation = DensityEquation::white, .error_estimate = false};
+  const auto reference = solve_stationary_density(tests::paper_case(1), white);
   for (const double t : {1e8, 1e-6}) {
     // y(t/T): c/T, k/T^2, mu/T^2, lambda/T, lambda E[Y^2]/T^3; velocities scale with 1/T.
     const auto p = tests::make_problem({.damping = 0.1 / t,
@@ -260,7 +262,7 @@ TEST(Solve, DoesNotDependOnTheUnitOfTime) {
                                         .cubic = 0.1 / (t * t),
                                         .rate = 1 / t,
                                         .intensity = 0.1 / (t * t * t)});
-    const auto scaled = solve(p, white);
+    const auto scaled = solve_stationary_density(p, white);
     ASSERT_EQ(scaled.solution.status, Status::ok) << scaled.solution.reason;
     EXPECT_EQ(scaled.summary.steps, reference.summary.steps);
     EXPECT_NEAR(scaled.solution.moments.y4, reference.solution.moments.y4, 1e-8);
@@ -275,7 +277,7 @@ TEST(Solve, FrequentImpulsesTendToWhiteNoiseByTheirFourthCumulant) {
     return tests::make_problem({.cubic = cubic, .restitution = 1, .rate = rate});
   };
   const auto of = [&](double rate, double cubic, DensityEquation equation) {
-    return solve(problem(rate, cubic), direct(equation)).solution.moments;
+    return solve_stationary_density(problem(rate, cubic), direct(equation)).solution.moments;
   };
   const auto linear = of(1e4, 0, DensityEquation::white);
   for (const double rate : {1e3, 1e4, 1e5}) {
@@ -294,51 +296,55 @@ TEST(Solve, FrequentImpulsesHaveTheGridOfWhiteNoise) {
   const auto p = [](double rate) {
     return tests::make_problem({.restitution = 0.5, .rate = rate});
   };
-  const auto white = solve(p(1), direct(DensityEquation::white));
-  const auto kf = solve(p(1e8), direct(DensityEquation::kf));
+  const auto white = solve_stationary_density(p(1), direct(DensityEquation::white));
+  const auto kf = solve_stationary_density(p(1e8), direct(DensityEquation::kf));
   ASSERT_EQ(kf.solution.status, Status::ok) << kf.solution.reason;
   EXPECT_EQ(kf.summary.nx, white.summary.nx);
   EXPECT_NEAR(kf.solution.moments.y2, white.solution.moments.y2, 1e-7);
 }
 
 TEST(Solve, RefusesGridsThatAreTooLargeOrTooCoarse) {
-  Options many = direct(DensityEquation::kf);
+  FiniteVolumeOptions many = direct(DensityEquation::kf);
   many.refinement = 10;
-  const auto huge = solve(tests::paper_case(1), many).solution;
+  const auto huge = solve_stationary_density(tests::paper_case(1), many).solution;
   EXPECT_EQ(huge.status, Status::failed);
   EXPECT_NE(huge.reason.find("cells"), std::string::npos) << huge.reason;
 
-  Options long_step{.equation = DensityEquation::km4, .stepper = StationarySolver::direct};
+  FiniteVolumeOptions long_step{.equation = DensityEquation::km4,
+                                .stepper = StationarySolver::direct};
   long_step.regularisation_length = 1e10;
-  EXPECT_EQ(solve(tests::paper_case(1), long_step).solution.status, Status::failed);
+  EXPECT_EQ(solve_stationary_density(tests::paper_case(1), long_step).solution.status,
+            Status::failed);
 }
 
 TEST(Solve, ReportsABoxThatIsTooSmall) {
-  Options options = direct(DensityEquation::kf);
+  FiniteVolumeOptions options = direct(DensityEquation::kf);
   options.x1_max = 1.0;
   options.x2_max = 1.2;
-  const auto solution = solve(tests::paper_case(1), options).solution;
+  const auto solution = solve_stationary_density(tests::paper_case(1), options).solution;
   EXPECT_EQ(solution.status, Status::failed);
   EXPECT_NE(solution.reason.find("box"), std::string::npos);
 }
 
 TEST(Solve, ReportsAResidualAboveItsThreshold) {
   for (const auto stepper : {StationarySolver::cvode, StationarySolver::direct}) {
-    const auto solution = solve(tests::paper_case(1), {.equation = DensityEquation::white,
-                                                       .stepper = stepper,
-                                                       .nx = 20,
-                                                       .nv = 40,
-                                                       .error_estimate = false,
-                                                       .residual_tolerance = 1e-30})
-                              .solution;
+    const auto solution =
+        solve_stationary_density(tests::paper_case(1), {.equation = DensityEquation::white,
+                                                        .stepper = stepper,
+                                                        .nx = 20,
+                                                        .nv = 40,
+                                                        .error_estimate = false,
+                                                        .residual_tolerance = 1e-30})
+            .solution;
     EXPECT_EQ(solution.status, Status::not_converged);
     EXPECT_NE(solution.reason.find("1.0e-30"), std::string::npos) << solution.reason;
   }
 }
 
 TEST(Solve, RefusesInvalidOptions) {
-  EXPECT_THROW(solve(tests::paper_case(1), {.order = 9}), InputError);
-  EXPECT_THROW(solve(tests::paper_case(1), {.regularisation_length = 0.3}), InputError);
+  EXPECT_THROW(solve_stationary_density(tests::paper_case(1), {.order = 9}), InputError);
+  EXPECT_THROW(solve_stationary_density(tests::paper_case(1), {.regularisation_length = 0.3}),
+               InputError);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-using transform::MetricKind;
+using transform::SolverMetricKind;
 
 std::vector<std::string> paths(const transform::Metrics& metrics) {
   std::vector<std::string> list;
@@ -51,33 +51,33 @@ TEST(Summary, MetricsHaveTheOrderOfSummaryFiles) {
                        {"error.impact_rate", "error.observed_order", "error.extrapolated.y1",
                         "error.extrapolated.y2", "error.extrapolated.y4", "error.extrapolated.v1",
                         "error.extrapolated.v2", "error.extrapolated.v4"});
-  EXPECT_EQ(paths(metrics({.error = ErrorEstimate{}})), with_estimate);
+  EXPECT_EQ(paths(metrics({.error = DiscretisationErrorEstimate{}})), with_estimate);
 }
 
 TEST(Summary, CharacteristicsHaveTheirOwnMetrics) {
-  Summary summary;
+  FiniteVolumeSummary summary;
   summary.transport = TransportScheme::characteristics;
   summary.visits = 1000;
   summary.rest_mass = 0.25;
   const auto all = metrics(summary);
   EXPECT_EQ(find_metric(all, "transport")->value, base::Value(std::string("characteristics")));
-  EXPECT_EQ(find_metric(all, "visits")->kind, MetricKind::work);
+  EXPECT_EQ(find_metric(all, "visits")->kind, SolverMetricKind::work);
   EXPECT_EQ(metric_number(all, "rest_mass"), 0.25);
 }
 
 TEST(Summary, MetricsSeparateResultsFromWork) {
   const auto all = metrics({.nx = 40, .steps = 5, .wall = {1e-9, 2e-9}});
   EXPECT_EQ(find_metric(all, "nx")->value, base::Value(std::int64_t{40}));
-  EXPECT_EQ(find_metric(all, "nx")->kind, MetricKind::result);
+  EXPECT_EQ(find_metric(all, "nx")->kind, SolverMetricKind::result);
   EXPECT_EQ(find_metric(all, "steps")->value, base::Value(std::int64_t{5}));
   for (const auto* work : {"nonzeros", "leak", "steps", "factorisations", "rhs_evaluations",
                            "krylov_iterations", "factor_entries", "factor_seconds",
                            "krylov_seconds", "residual", "stepped_against_direct"}) {
-    EXPECT_EQ(find_metric(all, work)->kind, MetricKind::work) << work;
+    EXPECT_EQ(find_metric(all, work)->kind, SolverMetricKind::work) << work;
   }
   for (const auto* result : {"refinement", "origin_refinement", "x1_max", "growth_rate",
                              "regularisation_length", "impact_rate", "wall_density.ydot"}) {
-    EXPECT_EQ(find_metric(all, result)->kind, MetricKind::result) << result;
+    EXPECT_EQ(find_metric(all, result)->kind, SolverMetricKind::result) << result;
   }
   EXPECT_EQ(find_metric(all, "wall_density.y")->min_scale, 1e-6);
   EXPECT_EQ(metric_number(all, "wall_density.ydot"), 2e-9);
@@ -87,20 +87,21 @@ TEST(Summary, MetricsSeparateResultsFromWork) {
 // is neither metric.
 TEST(Summary, AFiniteImpactRateHasAnError) {
   const auto of = [](double rate, double error) {
-    return metrics({.error = ErrorEstimate{.impact_rate = error}, .impact_rate = rate});
+    return metrics(
+        {.error = DiscretisationErrorEstimate{.impact_rate = error}, .impact_rate = rate});
   };
   const auto all = of(0.3, 2e-4);
   EXPECT_EQ(metric_number(all, "error.impact_rate"), 2e-4);
-  EXPECT_EQ(find_metric(all, "error.impact_rate")->kind, transform::MetricKind::work);
+  EXPECT_EQ(find_metric(all, "error.impact_rate")->kind, transform::SolverMetricKind::work);
   const auto infinite = of(HUGE_VAL, NAN);
   EXPECT_EQ(find_metric(infinite, "error.impact_rate"), nullptr);
   EXPECT_EQ(find_metric(infinite, "impact_rate"), nullptr);
 }
 
 TEST(Summary, ALimitIsComparedOnTheScaleOfItsMoment) {
-  const auto all =
-      metrics({.error = ErrorEstimate{.observed_order = 4.9,
-                                      .extrapolated = {.y1 = 0.01, .y2 = 3, .v1 = 1e-8, .v2 = 2}}});
+  const auto all = metrics(
+      {.error = DiscretisationErrorEstimate{
+           .observed_order = 4.9, .extrapolated = {.y1 = 0.01, .y2 = 3, .v1 = 1e-8, .v2 = 2}}});
   EXPECT_TRUE(find_metric(all, "error.observed_order")->is_rounding_sensitive);
   EXPECT_EQ(find_metric(all, "error.extrapolated.y1")->min_scale, 0.1);
   EXPECT_EQ(find_metric(all, "error.extrapolated.y2")->min_scale, 3);

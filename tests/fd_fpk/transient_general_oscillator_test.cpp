@@ -82,7 +82,7 @@ TEST(TransientGeneralOscillator, HasTheExactMomentsUnderAnExcitationThatChangesI
   Problem p =
       tests::with_impulses(System(kLinear, {.none = true}), tests::gaussian_impulses(1, 0.1, 0.1));
   p.noise.intensity = 0.1;
-  p.time = problem::TimeDependence(
+  p.time = problem::ExcitationTimeDependence(
       {.rate = "1 + 0.8*sin(2*t)", .intensity = "exp(-t)", .force = "0.5*cos(1.3*t) + 0.2*t"}, {});
   const TransientOptions moving{.until = 1,
                                 .snapshots = 2,
@@ -112,7 +112,8 @@ TEST(TransientGeneralOscillator, HasTheExactMomentsUnderAnExcitationThatChangesI
 // The exact moments long after any start are those of the periodic state.
 TEST(TransientGeneralOscillator, FindsThePeriodicState) {
   Problem p = tests::with_noise(System({.damping = 1, .stiffness = 4}, {.none = true}), 1);
-  p.time = problem::TimeDependence({.intensity = "1 + 0.9*sin(4*t)", .force = "0.8*cos(2*t)"}, {});
+  p.time = problem::ExcitationTimeDependence(
+      {.intensity = "1 + 0.9*sin(4*t)", .force = "0.8*cos(2*t)"}, {});
   const double period = M_PI;
   const auto result = solve_transient(
       p, {.nx = 44, .nv = 44, .max_seconds = 60},
@@ -133,7 +134,7 @@ TEST(TransientGeneralOscillator, FindsThePeriodicState) {
 
 TEST(TransientGeneralOscillator, RefusesAPeriodThatTheExcitationDoesNotHave) {
   Problem p = without_wall();
-  p.time = problem::TimeDependence({.force = "0.3*cos(t)"}, {});
+  p.time = problem::ExcitationTimeDependence({.force = "0.3*cos(t)"}, {});
   EXPECT_THROW(solve_transient(p, {}, {.until = 6, .snapshots = 4, .periodic = true}), InputError);
 }
 
@@ -263,8 +264,9 @@ TEST(TransientGeneralOscillator, TendsToTheStationaryDensity) {
     ASSERT_EQ(over_time.status, Status::ok) << over_time.reason;
     const Problem seen = tests::in_wall_coordinates(p);
     const auto stationary = transform::to_physical_coordinates(
-        seen.frame,
-        solve(seen, {.stepper = StationarySolver::direct, .error_estimate = false}).solution);
+        seen.frame, solve_stationary_density(
+                        seen, {.stepper = StationarySolver::direct, .error_estimate = false})
+                        .solution);
     const DensitySnapshot& end = over_time.snapshots.back();
     EXPECT_NEAR(end.moments.y2, stationary.moments.y2, bar * stationary.moments.y2);
     EXPECT_NEAR(end.moments.v2, stationary.moments.v2, bar * stationary.moments.v2);

@@ -29,7 +29,9 @@ TransientOptions breathing(double until, int snapshots, double tolerance) {
 }
 
 // Coarse cells, for speed.
-Options coarse(DensityEquation equation) { return {.equation = equation, .refinement = 0.6}; }
+FiniteVolumeOptions coarse(DensityEquation equation) {
+  return {.equation = equation, .refinement = 0.6};
+}
 
 // The largest error of E[y^2], E[y'^2] against the exact moments of the linear oscillator.
 double largest_error(const problem::Problem& problem, const TransientResult& result) {
@@ -63,9 +65,9 @@ TEST(Transient, HasTheExactMomentsOfTheLinearOscillatorAtAllTimes) {
 TEST(Transient, PermittedOrdersHaveNoGrowingModes) {
   const auto largest_real_part = [](const problem::Problem& problem, DensityEquation equation,
                                     int order) {
-    const Options options{
+    const FiniteVolumeOptions options{
         .equation = equation, .order = order, .origin_refinement = 1, .nx = 16, .nv = 28};
-    const auto on = discretise(problem, options, initial_box(problem, options));
+    const auto on = discretise_density_equation(problem, options, initial_box(problem, options));
     const auto op = fokker_planck_operator(problem, options, on);
     return tests::dense_eigenvalues(op.assembled_matrix()).front().real();
   };
@@ -148,7 +150,7 @@ TEST(Transient, TendsToTheStationaryDensity) {
   const auto transient = solve_transient(problem, coarse(DensityEquation::kf),
                                          {.until = 40, .snapshots = 1, .relative_tolerance = 1e-5});
   ASSERT_EQ(transient.status, Status::ok) << transient.reason;
-  const auto stationary = solve(problem, coarse(DensityEquation::kf)).solution;
+  const auto stationary = solve_stationary_density(problem, coarse(DensityEquation::kf)).solution;
   const auto& end = transient.snapshots.back();
   // The grids differ because of the narrow initial density.
   EXPECT_NEAR(end.moments.y2, stationary.moments.y2, 5e-4 * stationary.moments.y2);

@@ -14,7 +14,7 @@ namespace {
 TEST(TransientWithError, CoversTheErrorOfTheLinearOscillator) {
   const auto problem = tests::make_problem({.cubic = 0, .restitution = 1});
   const double s_y = 0.6, s_v = 0.9;
-  const transform::Transient result = solve_transient_with_error(
+  const transform::TransientDensities result = solve_transient_with_error(
       problem, {.equation = DensityEquation::white, .refinement = 0.8},
       {.start = {.displacement_deviation = s_y, .velocity_deviation = s_v},
        .until = 3,
@@ -37,13 +37,13 @@ TEST(TransientWithError, CoversTheErrorOfTheLinearOscillator) {
     double l1 = 0;
     for (std::size_t b = 0; b < s.y.size(); ++b) {
       const auto probability = [&](double y) { return std::erf(y / std::sqrt(2 * exact.zz)); };
-      l1 += std::abs(s.y.density[b] * s.y.width(b) -
+      l1 += std::abs(s.y.density[b] * s.y.bin_width(b) -
                      (probability(s.y.edges[b + 1]) - probability(s.y.edges[b])));
     }
     EXPECT_LE(l1, s.error->y_l1 + 1e-5);
     largest_l1_estimate = std::max(largest_l1_estimate, s.error->y_l1);
     double mass = 0;
-    for (std::size_t b = 0; b < s.y.size(); ++b) mass += s.y.density[b] * s.y.width(b);
+    for (std::size_t b = 0; b < s.y.size(); ++b) mass += s.y.density[b] * s.y.bin_width(b);
     EXPECT_NEAR(mass, 1, 1e-6);
   }
   EXPECT_LT(largest_estimate, 100 * largest_error);
@@ -55,7 +55,7 @@ TEST(TransientWithError, CoversTheErrorOfTheLinearOscillator) {
 TEST(TransientWithError, CoversTheErrorOfANarrowInitialDensity) {
   const auto problem = tests::make_problem({.cubic = 0, .restitution = 1});
   const double s_y = 0.1, s_v = 0.1;
-  const transform::Transient result = solve_transient_with_error(
+  const transform::TransientDensities result = solve_transient_with_error(
       problem, {.equation = DensityEquation::white},
       {.start = {.displacement_deviation = s_y, .velocity_deviation = s_v},
        .until = 0.2,

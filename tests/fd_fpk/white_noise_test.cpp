@@ -21,7 +21,8 @@ void expect_errors_below(double most, int nx) {
   for (const int number : {1, 2, 3, 4}) {
     const auto p = tests::make_problem(
         {.cubic = number <= 2 ? 0.1 : 1.0, .restitution = 1, .intensity = number % 2 ? 0.1 : 1.0});
-    const auto solution = solve(p, tests::elastic_white_noise_exponent(p, 7, nx, 2 * nx)).solution;
+    const auto solution =
+        solve_stationary_density(p, tests::elastic_white_noise_exponent(p, 7, nx, 2 * nx)).solution;
     ASSERT_EQ(solution.status, transform::Status::ok) << solution.reason;
     const auto [y, v] = tests::errors_of(solution, p);
     EXPECT_LE(y, most) << "case " << number;
@@ -42,7 +43,7 @@ struct Exponents {
   double out, in;
 };
 Exponents exponents_at(const transform::GridDensity& grid, double speed) {
-  const std::size_t half = grid.nv() / 2;
+  const std::size_t half = grid.v_cell_count() / 2;
   const auto centre = [&](std::size_t k) {
     return (grid.v_edges[half + k] + grid.v_edges[half + k + 1]) / 2;
   };
@@ -56,13 +57,13 @@ Exponents exponents_at(const transform::GridDensity& grid, double speed) {
 }
 
 // A single grid suffices: error estimates have their own tests.
-Options white() {
+FiniteVolumeOptions white() {
   return {.equation = DensityEquation::white,
           .stepper = StationarySolver::direct,
           .error_estimate = false};
 }
 
-const transform::GridDensity& grid_of(const Result& result) {
+const transform::GridDensity& grid_of(const FiniteVolumeResult& result) {
   return std::get<transform::GridDensity>(*result.solution.density);
 }
 
@@ -70,7 +71,7 @@ const transform::GridDensity& grid_of(const Result& result) {
 TEST(WhiteNoise, WithLossesHasTheExactExponentAtTheWall) {
   for (const double r : {0.9, 0.8, 0.6, 0.5}) {
     SCOPED_TRACE(r);
-    const auto result = solve(tests::make_problem({.restitution = r}), white());
+    const auto result = solve_stationary_density(tests::make_problem({.restitution = r}), white());
     ASSERT_EQ(result.solution.status, transform::Status::ok) << result.solution.reason;
     const double beta = exact::wall_exponent(r);
     const double speed = 0.1 * std::sqrt(result.solution.moments.v2);
@@ -80,8 +81,8 @@ TEST(WhiteNoise, WithLossesHasTheExactExponentAtTheWall) {
   }
 }
 
-Grid cells_of(const transform::GridDensity& density) {
-  return {Axis(density.y_edges, AxisEndCondition::boundary), Axis(density.v_edges)};
+PhasePlaneGrid cells_of(const transform::GridDensity& density) {
+  return {GridAxis(density.y_edges, AxisEndCondition::boundary), GridAxis(density.v_edges)};
 }
 
 // Impacts slower than h contribute int_0^h u^(1 - beta) du to the flux: order 2 - beta in the speed
@@ -97,9 +98,9 @@ TEST(WhiteNoise, ImpactFluxConvergesWithOrderTwoMinusBeta) {
     } coarse, middle, fine;
     for (const auto& [found, origin_refinement] :
          {std::pair{&coarse, 17.0}, {&middle, 33.0}, {&fine, 65.0}}) {
-      Options options = white();
+      FiniteVolumeOptions options = white();
       options.origin_refinement = origin_refinement;
-      const auto result = solve(p, options);
+      const auto result = solve_stationary_density(p, options);
       const auto& density = grid_of(result);
       const Eigen::Map<const Eigen::VectorXd> averages(density.averages.data(),
                                                        std::ssize(density.averages));
@@ -118,7 +119,8 @@ TEST(WhiteNoise, ImpactFluxConvergesWithOrderTwoMinusBeta) {
 TEST(WhiteNoise, ImpactRateOfAutomaticGridsIsCloseToTheLimitOfTheFlux) {
   for (const auto& [r, limit, relative] :
        {std::tuple{0.8, 0.335610, 5e-6}, {0.6, 0.371140, 1e-5}, {0.5, 0.411318, 5e-5}}) {
-    const auto rate = solve(tests::make_problem({.restitution = r}), white()).summary.impact_rate;
+    const auto rate = solve_stationary_density(tests::make_problem({.restitution = r}), white())
+                          .summary.impact_rate;
     EXPECT_NEAR(rate / limit, 1, relative) << r;
   }
 }
@@ -126,10 +128,10 @@ TEST(WhiteNoise, ImpactRateOfAutomaticGridsIsCloseToTheLimitOfTheFlux) {
 TEST(WhiteNoise, MomentsConvergeWithTheOrderOfTheSchemeUnderLosses) {
   const auto p = tests::make_problem({.restitution = 0.6});
   const auto moments_at = [&](double refinement) {
-    Options options = white();
+    FiniteVolumeOptions options = white();
     options.refinement = refinement;
     options.refine_unresolved = false;
-    return solve(p, options).solution.moments;
+    return solve_stationary_density(p, options).solution.moments;
   };
   const double ratio = std::sqrt(2.0);
   const auto a = moments_at(1 / ratio), b = moments_at(1), c = moments_at(ratio);
@@ -145,17 +147,17 @@ TEST(WhiteNoise, MomentsConvergeWithTheOrderOfTheSchemeUnderLosses) {
 // several per cent, which the moments do not reveal. In this test the ripple would be on the
 // coarsest grid of an error estimate.
 TEST(WhiteNoise, DisplacementMarginalHasNoRippleUnderLosses) {
-  Options options = white();
+  FiniteVolumeOptions options = white();
   options.error_estimate = true;
   const auto p = tests::make_problem({.restitution = 0.6});
-  const auto result = solve(p, options);
+  const auto result = solve_stationary_density(p, options);
   ASSERT_TRUE(result.summary.error);
   EXPECT_LT(result.summary.error->y_l1, 3e-4);
   EXPECT_LT(result.summary.error->ydot_l1, 3e-4);
   options = white();
   options.refinement = 0.5;
   options.refine_unresolved = false;
-  const auto coarse = solve(p, options);
+  const auto coarse = solve_stationary_density(p, options);
   const auto& grid = grid_of(coarse);
   const auto y = transform::marginal(grid, transform::StateVariable::y, grid.y_edges);
   for (std::size_t k = 1; k < y.size() && y.edges[k + 1] < 1; ++k) {
@@ -167,17 +169,18 @@ TEST(WhiteNoise, DisplacementMarginalHasNoRippleUnderLosses) {
 // weight as the errors of wide cells.
 TEST(WhiteNoise, SteppingUnderLossesNeedsFewFactorisations) {
   const auto [solution, summary] =
-      solve(tests::make_problem({.restitution = 0.6}),
-            {.equation = DensityEquation::white, .error_estimate = false});
+      solve_stationary_density(tests::make_problem({.restitution = 0.6}),
+                               {.equation = DensityEquation::white, .error_estimate = false});
   EXPECT_EQ(solution.status, transform::Status::ok) << solution.reason;
   EXPECT_LE(summary.factorisations, 10);
   EXPECT_LT(summary.stepped_against_direct, 1e-8);
 }
 
 TEST(WhiteNoise, CellsAreGradedCubicallyOnlyForASingularDensity) {
-  const auto finest = [](double r, Options options) {
-    const auto grid = grid_of(solve(tests::make_problem({.restitution = r}), options));
-    return std::pair{grid.y_edges[1], grid.v_edges[grid.nv() / 2 + 1]};
+  const auto finest = [](double r, FiniteVolumeOptions options) {
+    const auto grid =
+        grid_of(solve_stationary_density(tests::make_problem({.restitution = r}), options));
+    return std::pair{grid.y_edges[1], grid.v_edges[grid.v_cell_count() / 2 + 1]};
   };
   const auto [y, v] = finest(0.6, white());
   const double d2 = 0.05;
@@ -185,11 +188,11 @@ TEST(WhiteNoise, CellsAreGradedCubicallyOnlyForASingularDensity) {
   EXPECT_LT(y, 10 * std::pow(v, 3) / d2);
   // The grading is not used for a small jump at the wall, for other equations, or for orders that
   // oscillate.
-  Options seventh = white();
+  FiniteVolumeOptions seventh = white();
   seventh.order = 7;
   for (const auto& [r, options] :
        {std::pair{0.98, white()},
-        {0.6, Options{.stepper = StationarySolver::direct, .error_estimate = false}},
+        {0.6, FiniteVolumeOptions{.stepper = StationarySolver::direct, .error_estimate = false}},
         {0.6, seventh}}) {
     const auto [y_alike, v_alike] = finest(r, options);
     EXPECT_GT(y_alike, v_alike / 2) << r << " " << transport_order(options);
@@ -200,12 +203,14 @@ TEST(WhiteNoise, IsRefusedWhereImpactsAccumulate) {
   const auto problem = tests::make_problem({.restitution = 0.15});
   for (const auto stepper : {StationarySolver::cvode, StationarySolver::direct}) {
     const auto solution =
-        solve(problem, {.equation = DensityEquation::white, .stepper = stepper}).solution;
+        solve_stationary_density(problem, {.equation = DensityEquation::white, .stepper = stepper})
+            .solution;
     EXPECT_EQ(solution.status, transform::Status::failed);
     EXPECT_FALSE(solution.has_density());
     EXPECT_NE(solution.reason.find("inelastic collapse"), std::string::npos) << solution.reason;
   }
-  EXPECT_TRUE(solve(problem, {.stepper = StationarySolver::direct}).solution.has_density());
+  EXPECT_TRUE(solve_stationary_density(problem, {.stepper = StationarySolver::direct})
+                  .solution.has_density());
 }
 
 }  // namespace

@@ -101,13 +101,14 @@ void require_polynomial(const Expression& f, double y, double v) {
 void require_agreement(const Expression& f, const std::string& text) {
   std::mt19937_64 random(std::hash<std::string>{}(text));
   std::uniform_real_distribution<double> moderate(-3, 3), exponent(-300, 300);
-  std::array<double, Expression::kBatch> ys{0, 0.3, -40, 1e-9, 700}, vs{0, -1.2, 300, 1, -1e-3};
+  std::array<double, Expression::kBatchPoints> ys{0, 0.3, -40, 1e-9, 700},
+      vs{0, -1.2, 300, 1, -1e-3};
   for (std::size_t n = 5; n < 7; ++n) ys[n] = moderate(random), vs[n] = moderate(random);
   ys[7] = std::pow(10, exponent(random));
   vs[7] = -std::pow(10, exponent(random));
-  std::array<double, Expression::kBatch> values{};
+  std::array<double, Expression::kBatchPoints> values{};
   f.evaluate_batch(ys.size(), ys.data(), vs.data(), values.data());
-  const problem::Parity parity = f.parity();
+  const problem::FunctionParity parity = f.parity();
   for (std::size_t n = 0; n < ys.size(); ++n) {
     const double y = ys[n], v = vs[n], value = f(y, v);
     const numerics::DualNumber dual = f(numerics::DualNumber{y, 1}, numerics::DualNumber{v, 0});
@@ -121,9 +122,9 @@ void require_agreement(const Expression& f, const std::string& text) {
     fuzz::require(same(bounded.value, value));
     if (!std::isfinite(bounded.error)) continue;
     fuzz::require(std::abs(values[n] - value) <= bounded.error);
-    if (parity == problem::Parity::none) continue;
+    if (parity == problem::FunctionParity::none) continue;
     const double mirrored = f(-y, -v);
-    const double expected = parity == problem::Parity::odd ? -value : value;
+    const double expected = parity == problem::FunctionParity::odd ? -value : value;
     fuzz::require(std::abs(mirrored - expected) <= 2 * bounded.error);
   }
   for (std::size_t n = 5; n < 7; ++n) require_polynomial(f, ys[n], vs[n]);
@@ -145,7 +146,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require_agreement(f, text);
     require_sorted_inside(f.kinks_in_y(-3, 4), -3, 4);
     require_sorted_inside(f.kinks_in_v(-3, 4), -3, 4);
-    f.has_oblique_kinks();
+    f.has_kinks_along_other_curves();
   } catch (const InputError& error) {
     const std::string_view message = error.what();
     fuzz::require(message.starts_with("f ") && message.size() < 500 &&

@@ -27,7 +27,7 @@ Owner parse_options(const base::Description<Owner>& description,
   return owner;
 }
 
-void select_methods(const std::string& list, const std::vector<Setting>& settings) {
+void methods_selected_by_list(const std::string& list, const std::vector<Setting>& settings) {
   static const methods::SolverRegistry registry = methods::builtin_registry();
   base::Values values;
   for (const auto& solver : registry.solvers()) {
@@ -36,7 +36,7 @@ void select_methods(const std::string& list, const std::vector<Setting>& setting
       if (parameter != nullptr) values.push_back({name, parse_value(*parameter, text, name)});
     }
   }
-  registry.select_methods(list, values);
+  registry.methods_selected_by_list(list, values);
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       backward::require_valid_bounds_options(
           parse_options(backward::bounds_option_descriptions(), settings));
     } else {
-      select_methods(list, settings);
+      methods_selected_by_list(list, settings);
     }
   });
 }

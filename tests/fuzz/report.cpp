@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   return fuzz::catch_input_errors([&] {
     std::istringstream json{std::string(fuzz::as_text(data, size))};
     results::Run run = results::read_run_summary(json, "summary.json");
-    registry.complete_solution_identities(run);
+    registry.set_missing_identity_fields_of_run(run);
     report::terminal_tables_text(run);
   });
 }

@@ -32,21 +32,21 @@ WallParameters left_wall(double at, double r) { return {.left = at, .left_restit
 
 /// Simulates in wall coordinates and returns densities and atoms in physical coordinates. The tests
 /// judge L1 errors by standard errors, so the accuracy is low.
-Result simulate_problem(const Problem& problem, double time,
-                        std::optional<double> white_step = {}) {
-  Result result =
-      solve(tests::in_wall_coordinates(problem),
-            {.time = time, .accuracy = 0.1, .seed = 20261123, .white_step = white_step});
+SimulationResult simulate_problem(const Problem& problem, double time,
+                                  std::optional<double> white_step = {}) {
+  SimulationResult result = simulate_stationary_density(
+      tests::in_wall_coordinates(problem),
+      {.time = time, .accuracy = 0.1, .seed = 20261123, .white_step = white_step});
   result.solution = transform::to_physical_coordinates(problem::wall_frame(problem.system),
                                                        std::move(result.solution));
   return result;
 }
 
-void expect_white_noise_law(const Problem& problem, const Result& result) {
+void expect_white_noise_law(const Problem& problem, const SimulationResult& result) {
   const exact::EnergyLaw law(problem);
   const auto& m = result.solution.moments;
   const auto& e = result.solution.standard_errors->moments;
-  ASSERT_TRUE(result.solution.is_ok()) << result.solution.reason;
+  ASSERT_TRUE(result.solution.has_status_ok()) << result.solution.reason;
   expect_within_four_errors(m.y1, law.moment(1, 0), e.y1, "E[y]");
   expect_within_four_errors(m.y2, law.moment(2, 0), e.y2, "E[y^2]");
   expect_within_four_errors(m.y4, law.moment(4, 0), e.y4, "E[y^4]");
@@ -57,16 +57,16 @@ void expect_white_noise_law(const Problem& problem, const Result& result) {
     const bool is_y = variable == transform::StateVariable::y;
     double distance = 0;
     for (std::size_t b = 0; b < estimate.size(); ++b) {
-      const double x = estimate.centre(b);
+      const double x = estimate.bin_centre(b);
       const double p = is_y ? law.displacement_marginal(x) : law.velocity_marginal(x);
-      distance += std::abs(estimate.density[b] - p) * estimate.width(b);
+      distance += std::abs(estimate.density[b] - p) * estimate.bin_width(b);
     }
     const auto& sampling = *result.solution.sampling;
     EXPECT_LT(distance, 1.5 * *(is_y ? sampling.y : sampling.ydot) + 2e-3) << is_y;
   }
 }
 
-void expect_power_balance(const Result& result) {
+void expect_power_balance(const SimulationResult& result) {
   const auto& [solution, summary] = result;
   expect_within_four_errors(solution.energy_residual, 0, solution.standard_errors->energy_residual,
                             "power");
@@ -101,7 +101,7 @@ TEST(AnyOscillator, UnderWhiteNoiseWithoutLossesHasItsExactLaw) {
   for (const auto& [name, system, intensity] : list) {
     SCOPED_TRACE(name);
     const Problem problem = with_noise(system, intensity);
-    const Result result = simulate_problem(problem, 4e4, 0.4);
+    const SimulationResult result = simulate_problem(problem, 4e4, 0.4);
     expect_white_noise_law(problem, result);
     expect_power_balance(result);
   }
@@ -112,7 +112,7 @@ TEST(AnyOscillator, UnderWhiteNoiseWithoutLossesHasItsExactLaw) {
 TEST(AnyOscillator, OnARingHasCaugheysLaw) {
   const System ring({.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1}, kNoWall);
   const Problem problem = with_noise(ring, 0.4);
-  const Result result = simulate_problem(problem, 4e4);
+  const SimulationResult result = simulate_problem(problem, 4e4);
   expect_white_noise_law(problem, result);
   expect_power_balance(result);
 }
@@ -121,8 +121,8 @@ TEST(AnyOscillator, IsSimulatedUnderWhiteNoiseInPlaceOfItsImpulses) {
   const Problem problem =
       with_impulses(System({.damping = 0.2, .stiffness = 1, .cubic = 0.5}, left_wall(-0.5, 1)),
                     gaussian_impulses(2, 0.3, 0.1));
-  const Result result =
-      solve(tests::in_wall_coordinates(problem), {.equation = DensityEquation::white, .time = 1e5});
+  const SimulationResult result = simulate_stationary_density(
+      tests::in_wall_coordinates(problem), {.equation = DensityEquation::white, .time = 1e5});
   const exact::EnergyLaw law(problem);
   const auto& e = result.solution.standard_errors->moments;
   expect_within_four_errors(result.solution.moments.y1, law.moment(1, 0), e.y1, "E[y]");
@@ -138,7 +138,7 @@ TEST(AnyOscillator, ThatIsLinearWithoutWallsHasItsExactCumulants) {
   for (const double intensity : {0.0, 0.1}) {
     SCOPED_TRACE(intensity);
     problem.noise.intensity = intensity;
-    const Result result = simulate_problem(problem, 1e5, 0.2);
+    const SimulationResult result = simulate_problem(problem, 1e5, 0.2);
     const auto& m = result.solution.moments;
     const auto& e = result.solution.standard_errors->moments;
     const auto k = [&](int p, int q) { return exact::linear_cumulant(problem, p, q); };
@@ -166,7 +166,7 @@ TEST(AnyOscillator, WithoutLossesHasTheMeanSquareVelocityOfItsPower) {
       SCOPED_TRACE(intensity);
       Problem problem = with_impulses(system, gaussian_impulses(1, 0.05, 0.02));
       problem.noise.intensity = intensity;
-      const Result result = simulate_problem(problem, 4e4);
+      const SimulationResult result = simulate_problem(problem, 4e4);
       expect_within_four_errors(result.solution.moments.v2, (0.05 + intensity) / 0.2,
                                 result.solution.standard_errors->moments.v2, "E[v^2]");
       expect_power_balance(result);
@@ -189,7 +189,7 @@ TEST(AnyOscillator, WithLossesAndAMeanKeepsItsBalances) {
     for (const double intensity : {0.0, 0.1}) {
       Problem problem = with_impulses(system, gaussian_impulses(1, 0.2, 0.05));
       problem.noise.intensity = intensity;
-      SCOPED_TRACE(problem::parameters_text(problem));
+      SCOPED_TRACE(problem::non_default_parameters_text(problem));
       expect_power_balance(simulate_problem(problem, 2e4));
     }
   }
@@ -212,7 +212,7 @@ TEST(AnyOscillator, MirroredHasTheMirroredLaw) {
                                               {.right = 0, .right_restitution = 0.8}),
                                        gaussian_impulses(1, 0.1, 0.05));
   for (const auto& [a, b] : {std::pair{left, right}, std::pair{own, others}}) {
-    const Result here = simulate_problem(a, 1e4), there = simulate_problem(b, 1e4);
+    const SimulationResult here = simulate_problem(a, 1e4), there = simulate_problem(b, 1e4);
     const auto &m = here.solution.moments, &n = there.solution.moments;
     EXPECT_NEAR(m.y1, -n.y1, 1e-12);
     EXPECT_NEAR(m.v1, -n.v1, 1e-12);
@@ -235,7 +235,7 @@ TEST(AnyOscillator, MirroredHasTheMirroredLaw) {
 TEST(AnyOscillator, PassesLevelsAtTheRateOfItsLaw) {
   const Problem problem =
       with_noise(System({.damping = 0.2, .stiffness = -1, .cubic = 1}, kNoWall), 0.2);
-  const Result result = simulate_problem(problem, 4e4, 0.4);
+  const SimulationResult result = simulate_problem(problem, 4e4, 0.4);
   const exact::EnergyLaw law(problem);
   const double mean_speed = std::sqrt(0.5 / (2 * std::numbers::pi));  // E[v; v > 0]
   int looked = 0;
@@ -256,12 +256,12 @@ TEST(AnyOscillator, RestsInContactBetweenRareImpulses) {
   const double r = 0.7, rate = 0.01, gravity = 1;
   const Problem problem = with_impulses(
       System({.damping = 0, .constant = gravity, .restitution = r}), gaussian_impulses(rate, rate));
-  Options options{.time = 2e6, .seed = 20261123};
+  SimulationOptions options{.time = 2e6, .seed = 20261123};
   for (int k = 0; k <= 50; ++k) {
     options.y_edges.push_back(0.3 * k);
     options.v_edges.push_back(0.24 * (k - 25));
   }
-  const Result result = solve(problem, options);
+  const SimulationResult result = simulate_stationary_density(problem, options);
   const auto& atom = result.solution.atoms.at(0);
   EXPECT_EQ(result.solution.atoms.size(), 1u);
   EXPECT_EQ(atom.y, 0);
@@ -308,8 +308,8 @@ TEST(AnyOscillator, UnderNoiseAtAWallWithLossesDoesNotDependOnTheKicks) {
   const Problem pressed = with_noise(
       System({.damping = 0.1, .constant = 0.5, .stiffness = 1, .restitution = 0.5}), 0.3);
   for (const Problem& problem : {gap, pressed}) {
-    const Result coarse = simulate_problem(problem, 8e4, 0.4),
-                 fine = simulate_problem(problem, 4e4, 0.1);
+    const SimulationResult coarse = simulate_problem(problem, 8e4, 0.4),
+                           fine = simulate_problem(problem, 4e4, 0.1);
     const auto &m = coarse.solution.moments, &n = fine.solution.moments;
     const auto &e = coarse.solution.standard_errors->moments,
                &f = fine.solution.standard_errors->moments;
@@ -342,7 +342,8 @@ TEST(AnyOscillator, IsNotSupportedWhereImpactsAccumulateUnderNoise) {
   Problem noisy = gap;
   noisy.noise.intensity = 0.1;
   EXPECT_NE(unsupported_reason(noisy, {}).find("inelastic collapse"), std::string::npos);
-  EXPECT_EQ(solve(noisy, {.time = 1e3}).solution.status, transform::Status::failed);
+  EXPECT_EQ(simulate_stationary_density(noisy, {.time = 1e3}).solution.status,
+            transform::Status::failed);
 }
 
 TEST(AnyOscillator, DoesNotDependOnThreadsAndGoesOnFromACheckpoint) {
@@ -352,14 +353,18 @@ TEST(AnyOscillator, DoesNotDependOnThreadsAndGoesOnFromACheckpoint) {
   for (const double intensity : {0.0, 0.05}) {
     problem.noise.intensity = intensity;
     const Problem seen = tests::in_wall_coordinates(problem);
-    const Result one = solve(seen, {.time = 1e4, .threads = 1, .streams = 20});
-    const Result three = solve(seen, {.time = 1e4, .threads = 3, .streams = 20});
+    const SimulationResult one =
+        simulate_stationary_density(seen, {.time = 1e4, .threads = 1, .streams = 20});
+    const SimulationResult three =
+        simulate_stationary_density(seen, {.time = 1e4, .threads = 3, .streams = 20});
     EXPECT_EQ(one.solution.moments.y4, three.solution.moments.y4);
     const std::string file = testing::TempDir() + "fpkcheck_any_oscillator";
     int rounds = 0;
-    solve(seen,
-          {.time = 1e4, .streams = 20, .checkpoint = file, .stop = [&] { return ++rounds == 3; }});
-    const Result resumed = solve(seen, {.time = 1e4, .streams = 20, .resume = file});
+    simulate_stationary_density(seen, {.time = 1e4, .streams = 20, .checkpoint = file, .stop = [&] {
+                                         return ++rounds == 3;
+                                       }});
+    const SimulationResult resumed =
+        simulate_stationary_density(seen, {.time = 1e4, .streams = 20, .resume = file});
     EXPECT_EQ(one.solution.moments.y4, resumed.solution.moments.y4);
     EXPECT_EQ(one.solution.moments.v2, resumed.solution.moments.v2);
     EXPECT_EQ(one.solution.mass, resumed.solution.mass);
@@ -367,9 +372,9 @@ TEST(AnyOscillator, DoesNotDependOnThreadsAndGoesOnFromACheckpoint) {
     // The checkpoint of another noise intensity is refused.
     Problem other = problem;
     other.noise.intensity = 0.06;
-    EXPECT_THROW(
-        solve(tests::in_wall_coordinates(other), {.time = 1e4, .streams = 20, .resume = file}),
-        InputError);
+    EXPECT_THROW(simulate_stationary_density(tests::in_wall_coordinates(other),
+                                             {.time = 1e4, .streams = 20, .resume = file}),
+                 InputError);
     std::remove(file.c_str());
   }
 }

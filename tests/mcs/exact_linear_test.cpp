@@ -30,9 +30,9 @@ double moment_of_histogram(const std::vector<double>& edges, const std::vector<d
   return sum;
 }
 
-/// E[y^p y'^q] in the order of kPowers. Moments of even total order are those of (z, z'), from the
-/// cumulants. Moments of odd order follow from the marginals and from d/dt E[y^n] = 0 and d/dt E[y
-/// y'] = 0, which give E[y^2 v] = 0 and E[v^3] = 2c (E[y v^2] - E[y] E[v^2]).
+/// E[y^p y'^q] in the order of kRecordedMomentPowers. Moments of even total order are those of (z,
+/// z'), from the cumulants. Moments of odd order follow from the marginals and from d/dt E[y^n] = 0
+/// and d/dt E[y y'] = 0, which give E[y^2 v] = 0 and E[v^3] = 2c (E[y v^2] - E[y] E[v^2]).
 std::vector<double> exact_moments() {
   const auto problem = linear();
   const exact::LinearDensity density(problem);
@@ -62,11 +62,11 @@ TEST(ExactLinear, AllMomentsToOrderFourAreWithinFourStandardErrorsForTwentySeeds
   const auto truth = exact_moments();
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const auto summary = tests::simulate(linear(), 1e5, seed).summary;
-    for (std::size_t n = 0; n < kPowers.size(); ++n) {
+    for (std::size_t n = 0; n < kRecordedMomentPowers.size(); ++n) {
       const auto [mean, error] = summary.joint_moments[n];
       EXPECT_NEAR(mean, truth[n], 4 * error)
-          << "y^" << kPowers[n].first << " v^" << kPowers[n].second << ", seed " << seed << ": "
-          << (mean - truth[n]) / error;
+          << "y^" << kRecordedMomentPowers[n].first << " v^" << kRecordedMomentPowers[n].second
+          << ", seed " << seed << ": " << (mean - truth[n]) / error;
     }
   }
 }
@@ -86,19 +86,19 @@ TEST(ExactLinear, IntervalsOf95PerCentCoverTheTruthBetween90And99PerCent) {
   const auto problem = linear();
   const auto truth = exact_moments();
   const exact::LinearDensity density(problem);
-  Options options{.time = 1e4,
-                  .streams = 24,
-                  .y_edges = tests::uniform_edges(0, 3, 30),
-                  .v_edges = tests::uniform_edges(-3, 3, 40)};
+  SimulationOptions options{.time = 1e4,
+                            .streams = 24,
+                            .y_edges = tests::uniform_edges(0, 3, 30),
+                            .v_edges = tests::uniform_edges(-3, 3, 40)};
   const auto p_y = density.displacement_averages(options.y_edges);
   const auto p_v = density.velocity_averages(options.v_edges);
   const auto p = density.joint_averages(options.y_edges, options.v_edges);
   Coverage of_moments, of_y, of_v, of_cells, of_quantiles;
   for (int run = 0; run < 100; ++run) {
     options.seed = 1000 + run;
-    const Result result = solve(problem, options);
+    const SimulationResult result = simulate_stationary_density(problem, options);
     constexpr double kStudent = 2.0796;  // 21 degrees of freedom
-    for (std::size_t n = 0; n < kPowers.size(); ++n) {
+    for (std::size_t n = 0; n < kRecordedMomentPowers.size(); ++n) {
       const auto [mean, error] = result.summary.joint_moments[n];
       of_moments.add(std::abs(mean - truth[n]) < kStudent * error);
     }
@@ -119,7 +119,7 @@ TEST(ExactLinear, IntervalsOf95PerCentCoverTheTruthBetween90And99PerCent) {
     }
     double below = 0;
     std::size_t bin = 0;
-    for (const QuantileEstimate& q : result.summary.y_quantiles) {
+    for (const QuantileWithConfidenceInterval& q : result.summary.y_quantiles) {
       if (q.probability < 0.05 || q.probability > 0.99) continue;
       // The exact quantile, with a distribution function linear within a bin.
       while (below + p_y[bin] * 0.1 < q.probability) below += p_y[bin++] * 0.1;
@@ -140,12 +140,12 @@ TEST(ExactLinear, IntervalsOf95PerCentCoverTheTruthBetween90And99PerCent) {
 // case 4 neighbouring trajectories diverge, and the comparison is impossible.
 TEST(ExactLinear, HalvingTheStepMovesMomentsByLessThanATenthOfTheirError) {
   for (const auto& problem : {linear(), tests::paper_case(1), tests::paper_case(2)}) {
-    Options options{.time = 1e5, .seed = 3};
-    const Result coarse = solve(problem, options);
+    SimulationOptions options{.time = 1e5, .seed = 3};
+    const SimulationResult coarse = simulate_stationary_density(problem, options);
     options.step = coarse.summary.step / 2;
-    const Result fine = solve(problem, options);
+    const SimulationResult fine = simulate_stationary_density(problem, options);
     EXPECT_GT(fine.summary.flights, coarse.summary.flights);
-    for (std::size_t n = 0; n < kPowers.size(); ++n) {
+    for (std::size_t n = 0; n < kRecordedMomentPowers.size(); ++n) {
       const auto &a = coarse.summary.joint_moments[n], &b = fine.summary.joint_moments[n];
       EXPECT_NEAR(a.mean, b.mean, 0.01 * b.standard_error) << n;
     }
@@ -159,7 +159,7 @@ TEST(ExactLinear, LevelsAreCrossedUpwardsAtRicesRate) {
   const auto summary = tests::simulate(problem, 3e5).summary;
   const auto v = tests::uniform_edges(0, 6, 600);
   int compared = 0;
-  for (const LevelEventRate& crossing : summary.crossings) {
+  for (const RateOfEventsAtLevel& crossing : summary.crossings) {
     if (crossing.rate.mean < 1e-4) continue;
     const double a = crossing.level, narrow = 1e-3;
     const std::vector<double> strip{a - narrow, a + narrow};
@@ -182,8 +182,8 @@ TEST(ExactLinear, LevelsAreCrossedUpwardsAtRicesRate) {
 TEST(ExactLinear, SplittingResolvesTheTailsDownTo1eMinus8OfThePeak) {
   const auto problem = linear();
   const exact::LinearDensity density(problem);
-  Options options{.time = 6e4, .seed = 5, .tails = true};
-  const Result result = solve(problem, options);
+  SimulationOptions options{.time = 6e4, .seed = 5, .tails = true};
+  const SimulationResult result = simulate_stationary_density(problem, options);
   EXPECT_GT(result.summary.thresholds.size(), 10u);
   for (const auto& [variable, estimate] : result.solution.estimated_marginals) {
     const auto truth = variable == transform::StateVariable::y
@@ -204,7 +204,7 @@ TEST(ExactLinear, SplittingResolvesTheTailsDownTo1eMinus8OfThePeak) {
     EXPECT_GT(covered.share(), 0.85);
   }
   const auto truth = exact_moments();
-  for (std::size_t n = 0; n < kPowers.size(); ++n) {
+  for (std::size_t n = 0; n < kRecordedMomentPowers.size(); ++n) {
     const auto [mean, error] = result.summary.joint_moments[n];
     EXPECT_NEAR(mean, truth[n], 4 * error) << n;
   }

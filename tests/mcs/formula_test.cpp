@@ -38,19 +38,19 @@ System system_with_formula(const std::string& force, const WallParameters& walls
   return System({.force = force}, walls);
 }
 
-Result simulate_problem(const Problem& problem, double time, double step = 0.9) {
-  return solve(tests::in_wall_coordinates(problem),
-               {.time = time, .accuracy = 1, .seed = 20261126, .step = step});
+SimulationResult simulate_problem(const Problem& problem, double time, double step = 0.9) {
+  return simulate_stationary_density(tests::in_wall_coordinates(problem),
+                                     {.time = time, .accuracy = 1, .seed = 20261126, .step = step});
 }
 
 /// Group of streams that receive no impulses.
 struct FreeStreams {
   const System& system;
   BinFinder y{tests::uniform_edges(-4, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
-  MotionParameters motion;
-  std::deque<Stream> streams{};
+  StreamMotionParameters motion;
+  std::deque<TrajectoryStream> streams{};
 
-  FreeStreams(const Problem& problem, const std::vector<State>& starts, double step = 0.9,
+  FreeStreams(const Problem& problem, const std::vector<OscillatorState>& starts, double step = 0.9,
               const NoiseKicks& kicks = {})
       : system(problem.system),
         motion{.oscillator = make_oscillator(problem, problem::motion_scales(problem)),
@@ -59,7 +59,7 @@ struct FreeStreams {
                .sampling_interval = 0.25,
                .y_bins = &y,
                .v_bins = &v} {
-    for (const State& start : starts) {
+    for (const OscillatorState& start : starts) {
       const auto number = static_cast<std::uint32_t>(streams.size());
       streams.push_back({.branch = {.y = start.y,
                                     .v = start.v,
@@ -68,9 +68,9 @@ struct FreeStreams {
                                     .time_to_sample = 0.125,
                                     .remaining = 0},
                          .source = ImpulseSource(problem.impulses, 1, number),
-                         .record = StreamStatistics(y, v),
+                         .record = TrajectoryStreamStatistics(y, v),
                          .noise = NoiseSource(1, number)});
-      if (kicks.is_present()) {
+      if (kicks.is_acting()) {
         streams.back().branch.kick_interval = kicks.longest_interval;
         streams.back().branch.time_to_kick = kicks.longest_interval / 2;
       }
@@ -80,8 +80,8 @@ struct FreeStreams {
 
   void advance(double time,
                const simd::SimdVariant& lanes = simd::available_simd_variants().back()) {
-    std::vector<Stream*> pointers;
-    for (Stream& stream : streams) pointers.push_back(&stream);
+    std::vector<TrajectoryStream*> pointers;
+    for (TrajectoryStream& stream : streams) pointers.push_back(&stream);
     mcs::advance_all_streams(motion, pointers, time, lanes);
   }
 };
@@ -90,7 +90,7 @@ const Problem kPolynomial = with_impulses(
     System({.damping = 0.1, .stiffness = 1, .cubic = 0.1}, kNoWall), gaussian_impulses(1, 0.5));
 const Problem kSameFormula =
     with_impulses(system_with_formula("0.1*v + y + 0.1*y^3 + 0*abs(y)"), gaussian_impulses(1, 0.5));
-const std::vector<State> kStarts{{0.3, 0.9}, {-1.5, 0}, {0, 2.5}, {3, -1}};
+const std::vector<OscillatorState> kStarts{{0.3, 0.9}, {-1.5, 0}, {0, 2.5}, {3, -1}};
 
 double distance(const TrajectoryBranch& a, const TrajectoryBranch& b) {
   return std::hypot(a.y - b.y, a.v - b.v);
@@ -127,7 +127,8 @@ TEST(Formula, HasTheMomentsOfItsPolynomial) {
   const Problem same = with_impulses(system_with_formula("0.1*v + y + 0.1*y^3 + 0*abs(y)", wall),
                                      gaussian_impulses(1, 0.5));
   for (const auto& [a, b] : {std::pair{kPolynomial, kSameFormula}, std::pair{gap, same}}) {
-    const Result polynomial = simulate_problem(a, 3e4), integrated = simulate_problem(b, 3e4);
+    const SimulationResult polynomial = simulate_problem(a, 3e4),
+                           integrated = simulate_problem(b, 3e4);
     const auto &m = polynomial.solution.moments, &n = integrated.solution.moments;
     const auto& e = polynomial.solution.standard_errors->moments;
     // The simulations have the same impulses.
@@ -147,7 +148,8 @@ TEST(Formula, RestsInContactAsItsPolynomialDoes) {
       with_impulses(System({.damping = 0.1, .stiffness = 1}, wall), gaussian_impulses(1, 0.2));
   const Problem b =
       with_impulses(system_with_formula("0.1*v + y + 0*abs(y)", wall), gaussian_impulses(1, 0.2));
-  const Result polynomial = simulate_problem(a, 3e4), integrated = simulate_problem(b, 3e4);
+  const SimulationResult polynomial = simulate_problem(a, 3e4),
+                         integrated = simulate_problem(b, 3e4);
   ASSERT_EQ(integrated.solution.atoms.size(), 1u);
   expect_within_four_errors(integrated.solution.atoms[0].probability,
                             polynomial.solution.atoms[0].probability,
@@ -169,7 +171,7 @@ TEST(Formula, MomentsDoNotDependOnTheStep) {
   }
 }
 
-void expect_power_balance(const Result& result) {
+void expect_power_balance(const SimulationResult& result) {
   const auto& [solution, summary] = result;
   expect_within_four_errors(solution.energy_residual, 0, solution.standard_errors->energy_residual,
                             "power");
@@ -182,7 +184,7 @@ void expect_power_balance(const Result& result) {
 TEST(Formula, UnderImpulsesHasTheExactBalances) {
   const Problem spring =
       with_impulses(system_with_formula("0.1*v + y + 4*max(y-0.5,0)"), gaussian_impulses(1, 0.2));
-  const Result result = simulate_problem(spring, 1e5);
+  const SimulationResult result = simulate_problem(spring, 1e5);
   expect_within_four_errors(result.solution.moments.v2, 1,
                             result.solution.standard_errors->moments.v2, "E[v^2]");
   expect_power_balance(result);
@@ -203,7 +205,7 @@ TEST(Formula, UnderWhiteNoiseHasTheExactMeanKineticEnergy) {
   for (const Problem& problem : {with_noise(system_with_formula("0.2*v + 2*tanh(y)"), 0.4),
                                  with_noise(system_with_formula("0.2*v + sinh(y)"), 0.4),
                                  with_noise(system_with_formula("0.2*v + sinh(y)", wall), 0.4)}) {
-    const Result result = simulate_problem(problem, 6e4);
+    const SimulationResult result = simulate_problem(problem, 6e4);
     const auto& e = result.solution.standard_errors->moments;
     expect_within_four_errors(result.solution.moments.v2, 1, e.v2, "E[v^2]");
     expect_within_four_errors(result.solution.moments.v4, 3, e.v4, "E[v^4]");
@@ -217,7 +219,7 @@ TEST(Formula, UnderWhiteNoiseMayHaveJumps) {
   EXPECT_EQ(unsupported_reason(friction, {}), "");
   expect_power_balance(simulate_problem(friction, 3e4));
   // Kicks at the usual interval smooth the kink of the density: E[y^2] would be 3e-3 too large.
-  const auto kick_interval = [&](const Options& options) {
+  const auto kick_interval = [&](const SimulationOptions& options) {
     return make_simulation_plan(friction, options).kicks.longest_interval;
   };
   EXPECT_EQ(kick_interval({}), kick_interval({.white_step = 0.05}));
@@ -229,7 +231,7 @@ TEST(Formula, GivesTheSameBitsForAnyWidthAndInstructions) {
           "0.1*v + 0.05*tanh(20*v) + y + 0.1*exp(-y) + 0.1*sin(y) + max(y,0)^1.3",
           {.left = -0.3, .left_restitution = 0.8, .right = 1.2, .right_restitution = 0.7}),
       gaussian_impulses(1, 0.5)));
-  std::vector<State> starts;
+  std::vector<OscillatorState> starts;
   for (int s = 0; s < 11; ++s) starts.push_back({0.1 * s, 1 - 0.2 * s});
   const NoiseKicks noise{
       .diffusion = 0.1, .longest_interval = 0.2, .shortest_interval = 1e-5, .has_lossy_wall = true};
@@ -241,7 +243,7 @@ TEST(Formula, GivesTheSameBitsForAnyWidthAndInstructions) {
       FreeStreams group(problem, starts, 0.9, kicks);
       group.advance(50, lanes);
       for (std::size_t s = 0; s < starts.size(); ++s) {
-        const Stream &a = reference.streams[s], &b = group.streams[s];
+        const TrajectoryStream &a = reference.streams[s], &b = group.streams[s];
         EXPECT_EQ(a.branch.y, b.branch.y);
         EXPECT_EQ(a.branch.v, b.branch.v);
         EXPECT_EQ(a.record.powers, b.record.powers);
@@ -259,14 +261,15 @@ TEST(Formula, ResumesFromACheckpointOfTheSameFormulaOnly) {
     return with_impulses(system_with_formula(force), gaussian_impulses(1, 0.5));
   };
   const Problem one = problem("0.1*v + sinh(y)"), other = problem("0.1*v + sinh(1.1*y)");
-  const Options whole{.time = 1e4, .accuracy = 1, .streams = 20};
-  Options first = whole, second = whole;
+  const SimulationOptions whole{.time = 1e4, .accuracy = 1, .streams = 20};
+  SimulationOptions first = whole, second = whole;
   int rounds = 0;
   first.checkpoint = second.resume = file;
   first.stop = [&] { return ++rounds == 3; };
-  solve(one, first);
-  EXPECT_EQ(solve(one, second).solution.moments.y4, solve(one, whole).solution.moments.y4);
-  EXPECT_ANY_THROW(solve(other, second));
+  simulate_stationary_density(one, first);
+  EXPECT_EQ(simulate_stationary_density(one, second).solution.moments.y4,
+            simulate_stationary_density(one, whole).solution.moments.y4);
+  EXPECT_ANY_THROW(simulate_stationary_density(other, second));
   std::remove(file.c_str());
 }
 
@@ -284,8 +287,8 @@ TEST(Formula, NeedNotExistBeyondTheWall) {
   const Problem problem = with_impulses(
       system_with_formula("0.1*v + y + sqrt(y)", {.left = 0, .left_restitution = 0.8}),
       gaussian_impulses(1, 0.5));
-  const Result result = simulate_problem(problem, 1e4);
-  ASSERT_TRUE(result.solution.is_ok()) << result.solution.reason;
+  const SimulationResult result = simulate_problem(problem, 1e4);
+  ASSERT_TRUE(result.solution.has_status_ok()) << result.solution.reason;
   expect_power_balance(result);
 }
 
@@ -314,7 +317,7 @@ struct ExactMoments {
   double y2, y4, v2, v4;
 };
 
-void expect_moments(const Result& result, const ExactMoments& exact) {
+void expect_moments(const SimulationResult& result, const ExactMoments& exact) {
   const auto& m = result.solution.moments;
   const auto& e = result.solution.standard_errors->moments;
   expect_within_four_errors(m.y2, exact.y2, e.y2, "E[y^2]");
@@ -327,10 +330,11 @@ void expect_moments(const Result& result, const ExactMoments& exact) {
 // C (1 + H/2) exp(-2 H) in Ito's sense and C (1 + H/2)^(3/2) exp(-2 H) in Stratonovich's. The
 // moments are E[y^2] = E[H], E[y^4] = 3/2 E[H^2].
 TEST(MultiplicativeNoise, HasTheExactLawOfEachSense) {
-  const Result ito = simulate_problem(problem_with_noise_factor(kEnergyForce, kEnergyFactor, "ito"),
-                                      1e5),
-               other = simulate_problem(
-                   problem_with_noise_factor(kEnergyForce, kEnergyFactor, "stratonovich"), 1e5);
+  const SimulationResult ito = simulate_problem(
+                             problem_with_noise_factor(kEnergyForce, kEnergyFactor, "ito"), 1e5),
+                         other = simulate_problem(
+                             problem_with_noise_factor(kEnergyForce, kEnergyFactor, "stratonovich"),
+                             1e5);
   expect_moments(ito, {.y2 = 0.6, .y4 = 1.05, .v2 = 0.6, .v4 = 1.05});
   expect_moments(other, {.y2 = 0.660996, .y4 = 1.25213, .v2 = 0.660996, .v4 = 1.25213});
   expect_power_balance(ito);
@@ -342,7 +346,7 @@ TEST(MultiplicativeNoise, HasTheExactLawOfEachSense) {
 
 // With g = g(y) and f = c v g^2 + V' the law is C exp(-c H/D).
 TEST(MultiplicativeNoise, OfADisplacementHasItsExactLaw) {
-  const Result polynomial = simulate_problem(
+  const SimulationResult polynomial = simulate_problem(
       problem_with_noise_factor("0.2*v*(1+y^2) + y + 0.1*y^3", "sqrt(1+y^2)", ""), 1e5);
   const auto& m = polynomial.solution.moments;
   const auto& e = polynomial.solution.standard_errors->moments;
@@ -352,7 +356,7 @@ TEST(MultiplicativeNoise, OfADisplacementHasItsExactLaw) {
   expect_power_balance(polynomial);
   // The problem has a steep step of g, a formula of the force, an elastic wall and a mirrored
   // frame.
-  const Result step = simulate_problem(
+  const SimulationResult step = simulate_problem(
       problem_with_noise_factor("0.2*v*(1+0.8*tanh(10*y))^2 + sinh(y)", "1+0.8*tanh(10*y)",
                                 "stratonovich", "right = 0.5\nright_restitution = 1"),
       1e5);
@@ -368,8 +372,8 @@ TEST(MultiplicativeNoise, ErrorOfTheSplittingDecreases) {
   const Problem problem = problem_with_noise_factor(kEnergyForce, kEnergyFactor, "ito");
   double stated = 0;  // error estimate of the last simulation
   const auto v4 = [&](double white_step) {
-    const Result result =
-        solve(problem, {.time = 1e6, .accuracy = 1, .seed = 20261126, .white_step = white_step});
+    const SimulationResult result = simulate_stationary_density(
+        problem, {.time = 1e6, .accuracy = 1, .seed = 20261126, .white_step = white_step});
     stated = result.solution.error->moments.v4;
     return MeanEstimate{result.solution.moments.v4, result.solution.standard_errors->moments.v4};
   };
@@ -407,7 +411,7 @@ TEST(MultiplicativeNoise, OfAConstantFactorIsAdditive) {
                                                      kImpulses),
                 additive = problem_of_case_text("[system]\nforce = 0.1*v + y + 0.1*y^3\n[wall]\n" +
                                                 wall + "\n[noise]\nintensity = 0.2\n" + kImpulses);
-  const Result a = simulate_problem(constant, 3e4), b = simulate_problem(additive, 3e4);
+  const SimulationResult a = simulate_problem(constant, 3e4), b = simulate_problem(additive, 3e4);
   const auto &m = a.solution.moments, &n = b.solution.moments;
   const auto &e = a.solution.standard_errors->moments, &f = b.solution.standard_errors->moments;
   expect_within_four_errors(m.y2, n.y2, std::hypot(e.y2, f.y2), "E[y^2]");
@@ -430,7 +434,7 @@ TEST(MultiplicativeNoise, GivesTheSameBitsForAnyWidthAndInstructions) {
   const Problem problem = tests::in_wall_coordinates(
       problem_with_noise_factor("0.1*v + sinh(y)", "sqrt(1+0.2*y^2+0.3*v^2)", "ito",
                                 "left = -0.3\nleft_restitution = 1 - 0.3*min(1,v)^0.2"));
-  std::vector<State> starts;
+  std::vector<OscillatorState> starts;
   for (int s = 0; s < 11; ++s) starts.push_back({0.1 * s, 1 - 0.2 * s});
   const NoiseKicks kicks = make_noise_kicks(problem, problem::motion_scales(problem), 0.1, 0.2);
   FreeStreams reference(problem, starts, 0.9, kicks);
@@ -440,7 +444,7 @@ TEST(MultiplicativeNoise, GivesTheSameBitsForAnyWidthAndInstructions) {
     FreeStreams group(problem, starts, 0.9, kicks);
     group.advance(50, lanes);
     for (std::size_t s = 0; s < starts.size(); ++s) {
-      const Stream &a = reference.streams[s], &b = group.streams[s];
+      const TrajectoryStream &a = reference.streams[s], &b = group.streams[s];
       EXPECT_EQ(a.branch.y, b.branch.y);
       EXPECT_EQ(a.branch.v, b.branch.v);
       EXPECT_EQ(a.record.powers, b.record.powers);
@@ -458,19 +462,19 @@ TEST(MultiplicativeNoise, ResumesFromACheckpointOfTheSameFactorAndSenseOnly) {
                 other = problem_with_noise_factor(kEnergyForce, kEnergyFactor, "stratonovich"),
                 another = problem_with_noise_factor(kEnergyForce, "sqrt(1+0.24*(y^2+v^2))", "ito");
   // The fingerprint also contains the burn-in and the bins, which depend on the factor.
-  const Options options{.time = 1e4, .accuracy = 1, .streams = 20};
+  const SimulationOptions options{.time = 1e4, .accuracy = 1, .streams = 20};
   const SimulationPlan plan = make_simulation_plan(one, options);
   const std::string print = simulation_fingerprint(one, plan, nullptr);
   EXPECT_NE(print, simulation_fingerprint(other, plan, nullptr));
   EXPECT_NE(print, simulation_fingerprint(another, plan, nullptr));
-  Options first = options, second = options;
+  SimulationOptions first = options, second = options;
   int rounds = 0;
   first.checkpoint = second.resume = file;
   first.stop = [&] { return ++rounds == 3; };
-  solve(one, first);
-  EXPECT_EQ(solve(one, second).solution.energy_residual,
-            solve(one, options).solution.energy_residual);
-  EXPECT_ANY_THROW(solve(other, second));
+  simulate_stationary_density(one, first);
+  EXPECT_EQ(simulate_stationary_density(one, second).solution.energy_residual,
+            simulate_stationary_density(one, options).solution.energy_residual);
+  EXPECT_ANY_THROW(simulate_stationary_density(other, second));
   std::remove(file.c_str());
 }
 
@@ -478,7 +482,7 @@ TEST(MultiplicativeNoise, IsRefusedWithAReasonWhereItIsNotSupported) {
   const Problem noise = problem_with_noise_factor(kEnergyForce, kEnergyFactor, "ito");
   EXPECT_EQ(unsupported_reason(noise, {}), "");
   EXPECT_NE(unsupported_reason(noise, {.tails = true}), "");
-  EXPECT_THROW(solve(noise, {.tails = true}), InputError);
+  EXPECT_THROW(simulate_stationary_density(noise, {.tails = true}), InputError);
   const Problem both =
       problem_with_noise_factor(kEnergyForce, kEnergyFactor, "ito", "none = true", kImpulses);
   EXPECT_EQ(unsupported_reason(both, {}), "");
@@ -506,7 +510,7 @@ TEST(ParametricImpulses, HaveTheExactMomentsOfALinearOscillator) {
     SCOPED_TRACE(law);
     // A polynomial force and the same force as a formula have different flights.
     for (const std::string& system : {kLinear, std::string("force = 0.5*v + y + 0*abs(y)")}) {
-      const Result result = simulate_problem(
+      const SimulationResult result = simulate_problem(
           problem_with_impulse_factor("1 - 0.4*y", system, "none = true", law), 1e5);
       const auto& m = result.solution.moments;
       const auto& e = result.solution.standard_errors->moments;
@@ -519,7 +523,7 @@ TEST(ParametricImpulses, HaveTheExactMomentsOfALinearOscillator) {
 
 // The weights of the streams assume the expected work of the impulses.
 TEST(ParametricImpulses, HaveTheExactBalancesAtWalls) {
-  const Result result =
+  const SimulationResult result =
       simulate_problem(problem_with_impulse_factor(
                            "0.6 + tanh(y)", "force = 0.2*v*abs(v) + sinh(y)",
                            "right = 0.4\nright_restitution = 0.9 - 0.2*min(1,v)", "exponential"),
@@ -529,7 +533,7 @@ TEST(ParametricImpulses, HaveTheExactBalancesAtWalls) {
 }
 
 TEST(ParametricImpulses, ResumeFromACheckpointOfTheSameFactorOnly) {
-  const Options options{.time = 1e4, .accuracy = 1, .streams = 20};
+  const SimulationOptions options{.time = 1e4, .accuracy = 1, .streams = 20};
   const Problem one = problem_with_impulse_factor("1 + 0.4*y", kLinear),
                 other = problem_with_impulse_factor("1 - 0.4*y", kLinear);
   const SimulationPlan plan = make_simulation_plan(one, options);
@@ -555,12 +559,13 @@ Problem problem_with_walls(const std::string& force, const std::string& walls) {
 
 // The reference value comes from finite volumes (`fpkcheck fd`), with an error estimate of 4e-6.
 TEST(RestitutionFormula, HasTheMomentsOfFiniteVolumes) {
-  const Result result = simulate_problem(problem_with_walls("0.1*v + y", kViscoelastic), 1e6);
+  const SimulationResult result =
+      simulate_problem(problem_with_walls("0.1*v + y", kViscoelastic), 1e6);
   expect_within_four_errors(result.solution.moments.y2, 0.32530,
                             result.solution.standard_errors->moments.y2, "E[y^2]", 4e-6);
   expect_power_balance(result);
   // The second simulation uses the mirrored problem.
-  const Result mirrored = simulate_problem(
+  const SimulationResult mirrored = simulate_problem(
       problem_with_walls("0.1*v + y", "right = 0\nright_restitution = 1 - 0.3*min(1,abs(v))^0.2"),
       1e6);
   expect_within_four_errors(mirrored.solution.moments.y2, 0.32530,
@@ -579,8 +584,8 @@ TEST(RestitutionFormula, OfAConstantGivesTheBitsOfTheConstant) {
                                       "\nleft_restitution = " + restitution + '\n' + kImpulses +
                                       noise);
         };
-        const Result constant = simulate_problem(problem("0.8"), 3e3),
-                     same = simulate_problem(problem("0.8 + 0*v"), 3e3);
+        const SimulationResult constant = simulate_problem(problem("0.8"), 3e3),
+                               same = simulate_problem(problem("0.8 + 0*v"), 3e3);
         EXPECT_EQ(same.solution.moments.y2, constant.solution.moments.y2);
         EXPECT_EQ(same.solution.moments.v4, constant.solution.moments.v4);
         EXPECT_EQ(same.summary.impact_rate.mean, constant.summary.impact_rate.mean);
@@ -601,7 +606,7 @@ TEST(RestitutionFormula, BouncesEndInTheirExactTime) {
   const auto time_of = [](const char* formula, double speed) {
     const Problem problem =
         problem_with_walls("0.1*v + 2 + y", "left = 0\nleft_restitution = " + std::string(formula));
-    const Oscillator ball = make_oscillator(problem, problem::motion_scales(problem));
+    const SimulatedOscillator ball = make_oscillator(problem, problem::motion_scales(problem));
     EXPECT_EQ(ball.left.contact_force, 2);
     return total_bounce_time(ball.left, speed);
   };
@@ -628,7 +633,7 @@ TEST(RestitutionFormula, WithEndlessBouncesIsRefused) {
 
 TEST(RestitutionFormula, RestsInContactWithTheExactBalances) {
   for (const char* restitution : {"0.5 + 0.3*exp(-v)", "1 - 0.3*min(1,v)^0.2"}) {
-    const Result result =
+    const SimulationResult result =
         simulate_problem(problem_with_walls("0.1*v + y + 0.5", "left = 0\nleft_restitution = " +
                                                                    std::string(restitution)),
                          1e5);

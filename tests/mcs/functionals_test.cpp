@@ -59,9 +59,9 @@ TEST(SimulatedSpectrum, IsThatOfTheLinearOscillator) {
 
 TEST(SimulatedSensitivities, AreThoseOfTheLinearOscillator) {
   const problem::Problem p = linear_oscillator_problem();
-  std::vector<problem::ParameterDerivative> parameters;
+  std::vector<problem::ParameterDifferenceQuotient> parameters;
   for (const char* key : {"system.damping", "system.stiffness", "impulse.intensity"}) {
-    parameters.push_back(problem::parameter_derivative(p, key, 0.02));
+    parameters.push_back(problem::parameter_difference_quotient(p, key, 0.02));
   }
   const auto s = estimate_sensitivities(p, {.time = 2e5}, parameters);
   ASSERT_EQ(s.status, Status::ok) << s.reason;
@@ -101,7 +101,7 @@ TEST(SimulatedPassage, HasTheValuesOfAnIndependentMethodForAnEnergyBarrier) {
     EXPECT_LE(found->error, 0.05 * exact);
   };
   const auto energy = [](double level) {
-    return transform::Barrier{transform::Barrier::Quantity::energy, level};
+    return transform::PassageBarrier{transform::PassageBarrier::Quantity::energy, level};
   };
   const auto passage = estimate_passage(tests::paper_case(1), {.time = 4e5}, energy(1), {10});
   ASSERT_EQ(passage.status, Status::ok) << passage.reason;

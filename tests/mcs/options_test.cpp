@@ -15,7 +15,7 @@ namespace {
 
 template <class Change>
 void expect_options_refused(Change change, const std::string& key) {
-  Options bad;
+  SimulationOptions bad;
   change(bad);
   try {
     validate(bad);
@@ -54,25 +54,25 @@ TEST(Options, OutOfRangeAreRefusedByName) {
   expect_options_refused([](auto& o) { o.y_edges = {0.1, 1}; }, "y_edges");
   expect_options_refused([](auto& o) { o.v_edges = {1, 0}; }, "v_edges");
   expect_options_refused([&](auto& o) { o.v_edges = {0, nan}; }, "v_edges");
-  Options one_stream;
+  SimulationOptions one_stream;
   one_stream.streams = 1;
-  EXPECT_THROW(solve(tests::paper_case(1), one_stream), InputError);
+  EXPECT_THROW(simulate_stationary_density(tests::paper_case(1), one_stream), InputError);
   EXPECT_NO_THROW(validate({}));
 }
 
 TEST(Options, ComeBackFromTheirValues) {
-  const Options changed{.equation = DensityEquation::white,
-                        .time = 12345.5,
-                        .samples = 2e6,
-                        .target_error = 1e-3,
-                        .accuracy = 0.1,
-                        .seed = 9223372036854775807u,
-                        .threads = 3,
-                        .streams = 64,
-                        .step = 0.7,
-                        .white_step = 0.04,
-                        .tails = true,
-                        .controlled = true};
+  const SimulationOptions changed{.equation = DensityEquation::white,
+                                  .time = 12345.5,
+                                  .samples = 2e6,
+                                  .target_error = 1e-3,
+                                  .accuracy = 0.1,
+                                  .seed = 9223372036854775807u,
+                                  .threads = 3,
+                                  .streams = 64,
+                                  .step = 0.7,
+                                  .white_step = 0.04,
+                                  .tails = true,
+                                  .controlled = true};
   const auto values = description().values(changed);
   const auto usual = description().values({});
   ASSERT_EQ(values.size(), usual.size());
@@ -100,7 +100,7 @@ TEST(Options, HaveTheNamesAndFlagsOfFilesAndTheCommandLine) {
 
 TEST(Options, OfTheCommandLineAreRefusedByTheirFlag) {
   const auto refusal = [](const char* name, const char* text) -> std::string {
-    Options options;
+    SimulationOptions options;
     return tests::refusal([&] {
       description().parse(options, *description().find(name), text, std::string("--") + name);
     });
@@ -112,13 +112,13 @@ TEST(Options, OfTheCommandLineAreRefusedByTheirFlag) {
 }
 
 TEST(Options, HaveAnIdThatLeadsBackToThem) {
-  EXPECT_EQ(id({}), "mcs");
-  EXPECT_EQ(id({.equation = DensityEquation::white}), "mcs-white");
+  EXPECT_EQ(solution_id({}), "mcs");
+  EXPECT_EQ(solution_id({.equation = DensityEquation::white}), "mcs-white");
   for (const char* name : {"mcs", "mcs-white"}) {
     const auto options = options_of(name);
     ASSERT_TRUE(options) << name;
-    EXPECT_EQ(id(*options), name);
-    const auto who = identity(*options);
+    EXPECT_EQ(solution_id(*options), name);
+    const auto who = solution_identity(*options);
     EXPECT_EQ(who.id, name);
     EXPECT_EQ(who.method, "mcs");
     EXPECT_EQ(who.equation, options->equation);

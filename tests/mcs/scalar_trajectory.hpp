@@ -12,7 +12,7 @@ namespace fpkcheck::tests {
 using Flight = mcs::DuffingFlight<double>;
 
 /// Returns the oscillator that mcs::make_simulation_plan() makes for a problem.
-inline mcs::Oscillator oscillator_of(const problem::Problem& problem) {
+inline mcs::SimulatedOscillator oscillator_of(const problem::Problem& problem) {
   return mcs::make_oscillator(problem, problem::motion_scales(problem));
 }
 
@@ -32,15 +32,15 @@ class Trajectory {
  public:
   /// @param step longest flight, in radians of the local frequency, below pi
   /// (DuffingFlight::max_step)
-  Trajectory(const mcs::Oscillator& oscillator, mcs::ImpulseSource source, const mcs::State& start,
-             double step)
+  Trajectory(const mcs::SimulatedOscillator& oscillator, mcs::ImpulseSource source,
+             const mcs::OscillatorState& start, double step)
       : oscillator_(oscillator),
         source_(std::move(source)),
         state_(start),
         next_(source_.next_impulse()),
         step_(step) {}
 
-  const mcs::State& state() const { return state_; }
+  const mcs::OscillatorState& state() const { return state_; }
 
   /// Advances the state by a duration and passes every event to the observer.
   template <class Observer>
@@ -50,8 +50,8 @@ class Trajectory {
     while (duration > 0) {
       if (state_.y <= 0 && state_.v < 0) apply_impact(observer);
       const Flight flight(oscillator_, state_);
-      double span = std::min({flight.max_step(step_), next_.waiting, duration});
-      mcs::State end = flight.state_at_time(span);
+      double span = std::min({flight.max_step(step_), next_.waiting_time, duration});
+      mcs::OscillatorState end = flight.state_at_time(span);
       const bool impact = end.y < 0 && state_.y > 0;
       if (impact) {
         span = flight.impact_time(span, end, true);
@@ -59,9 +59,9 @@ class Trajectory {
       }
       observer.on_flight(flight, span);
       duration -= span;
-      next_.waiting -= span;
+      next_.waiting_time -= span;
       state_ = {std::max(end.y, 0.0), end.v};
-      if (next_.waiting <= 0) apply_impulse(observer);
+      if (next_.waiting_time <= 0) apply_impulse(observer);
     }
   }
 
@@ -80,9 +80,9 @@ class Trajectory {
     next_ = source_.next_impulse();
   }
 
-  mcs::Oscillator oscillator_;
+  mcs::SimulatedOscillator oscillator_;
   mcs::ImpulseSource source_;
-  mcs::State state_;
+  mcs::OscillatorState state_;
   mcs::Impulse next_;  // next impulse; `waiting` is the remaining time until this impulse
   double step_;
 };

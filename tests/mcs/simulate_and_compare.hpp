@@ -16,12 +16,12 @@ inline void expect_within_four_errors(double simulated, double exact, double sta
 }
 
 /// Simulates long enough for standard errors of at most 1e-3 in the moments.
-inline mcs::Result simulate(const problem::Problem& problem, double time = 6e5,
-                            std::uint64_t seed = 20240601) {
-  mcs::Options options;
+inline mcs::SimulationResult simulate(const problem::Problem& problem, double time = 6e5,
+                                      std::uint64_t seed = 20240601) {
+  mcs::SimulationOptions options;
   options.time = time;
   options.seed = seed;
-  return mcs::solve(problem, options);
+  return mcs::simulate_stationary_density(problem, options);
 }
 
 }  // namespace fpkcheck::tests

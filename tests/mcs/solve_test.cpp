@@ -16,11 +16,12 @@ namespace {
 
 using transform::StateVariable;
 
-const transform::GridDensity& joint_density(const Result& result) {
+const transform::GridDensity& joint_density(const SimulationResult& result) {
   return std::get<transform::GridDensity>(*result.solution.density);
 }
 
-const transform::Marginal& estimated_marginal(const Result& result, StateVariable variable) {
+const transform::Marginal& estimated_marginal(const SimulationResult& result,
+                                              StateVariable variable) {
   for (const auto& [which, marginal] : result.solution.estimated_marginals) {
     if (which == variable) return marginal;
   }
@@ -29,20 +30,21 @@ const transform::Marginal& estimated_marginal(const Result& result, StateVariabl
 
 double integral_of_marginal(const transform::Marginal& marginal) {
   double sum = 0;
-  for (std::size_t b = 0; b < marginal.size(); ++b) sum += marginal.density[b] * marginal.width(b);
+  for (std::size_t b = 0; b < marginal.size(); ++b)
+    sum += marginal.density[b] * marginal.bin_width(b);
   return sum;
 }
 
 TEST(Solve, GivesTheSameResultForAnyNumberOfThreads) {
-  Options options;
+  SimulationOptions options;
   options.time = 2e4;
   options.streams = 10;
   options.seed = 0x123456789abcdefull;
   options.threads = 1;
-  const Result one = solve(tests::paper_case(1), options);
+  const SimulationResult one = simulate_stationary_density(tests::paper_case(1), options);
   for (const int threads : {2, 7}) {
     options.threads = threads;
-    const Result many = solve(tests::paper_case(1), options);
+    const SimulationResult many = simulate_stationary_density(tests::paper_case(1), options);
     EXPECT_EQ(joint_density(one).averages, joint_density(many).averages);
     EXPECT_EQ(one.solution.moments.y4, many.solution.moments.y4);
     EXPECT_EQ(one.solution.energy_residual, many.solution.energy_residual);
@@ -61,13 +63,13 @@ TEST(Solve, DifferentSeedsGiveDifferentRunsInEitherHalfOfTheSeed) {
 }
 
 TEST(Solve, NormalisesByAllSamplesAndReportsWhatFellOutside) {
-  Options options;
+  SimulationOptions options;
   options.time = 5e4;
   for (int k = 0; k <= 20; ++k) {
     options.y_edges.push_back(0.05 * k);  // case 1 often exceeds 1
     options.v_edges.push_back(0.04 * k * k / 20 - 0.4);
   }
-  const Result result = solve(tests::paper_case(1), options);
+  const SimulationResult result = simulate_stationary_density(tests::paper_case(1), options);
   const double mass = transform::mass(joint_density(result));
   EXPECT_NEAR(result.solution.mass, mass, 1e-15);
   EXPECT_NEAR(result.summary.outside_fraction, 1 - mass, 1e-15);
@@ -81,13 +83,13 @@ TEST(Solve, NormalisesByAllSamplesAndReportsWhatFellOutside) {
   // The moments are independent of the edges.
   options.y_edges.clear();
   options.v_edges.clear();
-  const Result automatic = solve(tests::paper_case(1), options);
+  const SimulationResult automatic = simulate_stationary_density(tests::paper_case(1), options);
   EXPECT_EQ(automatic.solution.moments.y2, result.solution.moments.y2);
   EXPECT_NEAR(automatic.solution.mass, 1.0, 1e-6);
 }
 
 TEST(Solve, HistogramMomentsAndMarginalsAgree) {
-  const Result result = tests::simulate(tests::paper_case(4), 1e5);
+  const SimulationResult result = tests::simulate(tests::paper_case(4), 1e5);
   const auto y = transform::marginal(*result.solution.density, StateVariable::y,
                                      joint_density(result).y_edges);
   const auto v = transform::marginal(*result.solution.density, StateVariable::ydot,
@@ -97,8 +99,8 @@ TEST(Solve, HistogramMomentsAndMarginalsAgree) {
   EXPECT_LT(transform::l1_distance(v, estimated_marginal(result, StateVariable::ydot)), 1e-6);
   double y1 = 0, v2 = 0;
   for (std::size_t b = 0; b < y.size(); ++b) {
-    const double c = v.centre(b), w = v.width(b);
-    y1 += y.density[b] * y.width(b) * y.centre(b);
+    const double c = v.bin_centre(b), w = v.bin_width(b);
+    y1 += y.density[b] * y.bin_width(b) * y.bin_centre(b);
     v2 += v.density[b] * w * (c * c + w * w / 12);
   }
   // Bins of 0.05 sigma_1: the midpoint rule has an error of second order.
@@ -109,22 +111,24 @@ TEST(Solve, HistogramMomentsAndMarginalsAgree) {
 TEST(Solve, ElasticUnderFrequentSmallImpulsesApproachesTheWhiteNoiseDensity) {
   // The excess kurtosis is proportional to 1/lambda; at lambda = 200 it is 2e-3.
   const auto problem = tests::make_problem({.cubic = 1, .restitution = 1, .rate = 200});
-  const Result result = tests::simulate(problem, 3e4);
+  const SimulationResult result = tests::simulate(problem, 3e4);
   const exact::WhiteNoiseDensity exact(problem);
   const auto& y = estimated_marginal(result, StateVariable::y);
   const auto& v = estimated_marginal(result, StateVariable::ydot);
   double y_distance = 0, v_distance = 0;
   for (std::size_t b = 0; b < y.size(); ++b) {
-    y_distance += std::abs(y.density[b] - exact.displacement_marginal(y.centre(b))) * y.width(b);
-    v_distance += std::abs(v.density[b] - exact.velocity_marginal(v.centre(b))) * v.width(b);
+    y_distance +=
+        std::abs(y.density[b] - exact.displacement_marginal(y.bin_centre(b))) * y.bin_width(b);
+    v_distance +=
+        std::abs(v.density[b] - exact.velocity_marginal(v.bin_centre(b))) * v.bin_width(b);
   }
   EXPECT_LT(y_distance, 2 * *result.solution.sampling->y);
   EXPECT_LT(v_distance, 2 * *result.solution.sampling->ydot);
 }
 
 TEST(Solve, SamplingErrorPredictsTheDistanceOfTwoRuns) {
-  const Result a = tests::simulate(tests::paper_case(1), 2e5, 11);
-  const Result b = tests::simulate(tests::paper_case(1), 2e5, 12);
+  const SimulationResult a = tests::simulate(tests::paper_case(1), 2e5, 11);
+  const SimulationResult b = tests::simulate(tests::paper_case(1), 2e5, 12);
   // The distance of two runs is sqrt(2) times the error of one run. Errors of neighbouring bins are
   // correlated, so the distance scatters by some tens of per cent.
   const double y = transform::l1_distance(estimated_marginal(a, StateVariable::y),
@@ -136,7 +140,7 @@ TEST(Solve, SamplingErrorPredictsTheDistanceOfTwoRuns) {
 }
 
 TEST(Solve, AnEmptyBinHasAnUpperBound) {
-  const Result result = tests::simulate(tests::paper_case(1), 1e4);
+  const SimulationResult result = tests::simulate(tests::paper_case(1), 1e4);
   const auto& v = estimated_marginal(result, StateVariable::ydot);
   EXPECT_EQ(v.density.front(), 0.0);
   EXPECT_EQ(v.lower.front(), 0.0);
@@ -147,21 +151,24 @@ TEST(Solve, AnEmptyBinHasAnUpperBound) {
 // The error estimate of the simulation determines the status, as for other methods.
 TEST(Solve, IsOkWithinTheAccuracyAskedForAlone) {
   const auto problem = tests::paper_case(1);
-  const auto by_default = solve(problem, {.time = 1e4}).solution;
+  const auto by_default = simulate_stationary_density(problem, {.time = 1e4}).solution;
   EXPECT_EQ(by_default.status, transform::Status::inaccurate);
   EXPECT_FALSE(by_default.reason.empty());
   EXPECT_TRUE(by_default.density);
   const double error = std::max(*by_default.sampling->y_99, *by_default.sampling->ydot_99);
   EXPECT_GT(error, 0.02);
-  EXPECT_TRUE(solve(problem, {.time = 1e4, .accuracy = 1.01 * error}).solution.is_ok());
-  EXPECT_EQ(solve(problem, {.time = 1e4, .accuracy = 0.99 * error}).solution.status,
-            transform::Status::inaccurate);
-  EXPECT_TRUE(solve(problem, {.time = 1e5}).solution.is_ok());
+  EXPECT_TRUE(simulate_stationary_density(problem, {.time = 1e4, .accuracy = 1.01 * error})
+                  .solution.has_status_ok());
+  EXPECT_EQ(
+      simulate_stationary_density(problem, {.time = 1e4, .accuracy = 0.99 * error}).solution.status,
+      transform::Status::inaccurate);
+  EXPECT_TRUE(simulate_stationary_density(problem, {.time = 1e5}).solution.has_status_ok());
 }
 
 TEST(Solve, FillsInTheSolutionAndTheSummary) {
-  const Result result = solve(tests::paper_case(1), {.time = 1e4, .accuracy = 0.1});
-  EXPECT_EQ(result.solution.identity, identity(Options{}));
+  const SimulationResult result =
+      simulate_stationary_density(tests::paper_case(1), {.time = 1e4, .accuracy = 0.1});
+  EXPECT_EQ(result.solution.identity, solution_identity(SimulationOptions{}));
   EXPECT_EQ(result.solution.status, transform::Status::ok);
   EXPECT_GT(result.solution.seconds, 0.0);
   EXPECT_EQ(result.solution.metrics, metrics(result.summary));
@@ -175,7 +182,7 @@ TEST(Solve, FillsInTheSolutionAndTheSummary) {
 }
 
 TEST(Solve, ReportsProgressToTheEndAndCanBeStoppedByIt) {
-  Options options;
+  SimulationOptions options;
   options.time = 1e4;
   options.streams = 12;
   std::vector<double> fractions;
@@ -184,7 +191,7 @@ TEST(Solve, ReportsProgressToTheEndAndCanBeStoppedByIt) {
     fractions.push_back(at.fraction);
     all.push_back(at);
   };
-  const Result result = solve(tests::paper_case(1), options);
+  const SimulationResult result = simulate_stationary_density(tests::paper_case(1), options);
   ASSERT_EQ(fractions.size(), result.summary.rounds);
   EXPECT_TRUE(std::ranges::is_sorted(fractions));
   EXPECT_EQ(fractions.back(), 1.0);
@@ -198,16 +205,16 @@ TEST(Solve, ReportsProgressToTheEndAndCanBeStoppedByIt) {
     ++calls;
     throw std::runtime_error("enough");
   };
-  EXPECT_THROW(solve(tests::paper_case(1), options), std::runtime_error);
+  EXPECT_THROW(simulate_stationary_density(tests::paper_case(1), options), std::runtime_error);
   EXPECT_EQ(calls, 1);
 }
 
 TEST(Solve, EndsOnAStopRequestAndReturnsThePresentEstimates) {
-  Options options;
+  SimulationOptions options;
   options.time = 1e4;
   int asked = 0;
   options.stop = [&] { return ++asked == 3; };
-  const Result result = solve(tests::paper_case(1), options);
+  const SimulationResult result = simulate_stationary_density(tests::paper_case(1), options);
   EXPECT_TRUE(result.summary.interrupted);
   EXPECT_EQ(result.summary.rounds, 3u);
   EXPECT_NEAR(result.summary.time, 3 * 1e4 / 8, 100);
@@ -217,19 +224,19 @@ TEST(Solve, EndsOnAStopRequestAndReturnsThePresentEstimates) {
 }
 
 TEST(Solve, RunsUntilTheRequestedSamplesOrErrorAreReached) {
-  Options options;
+  SimulationOptions options;
   options.samples = 3e4;
-  const Result by_samples = solve(tests::paper_case(1), options);
+  const SimulationResult by_samples = simulate_stationary_density(tests::paper_case(1), options);
   EXPECT_EQ(by_samples.solution.status, transform::Status::ok);
   EXPECT_GE(by_samples.summary.effective_samples, 3e4);
   options.samples.reset();
   options.target_error = 4e-3;
-  const Result by_error = solve(tests::paper_case(1), options);
+  const SimulationResult by_error = simulate_stationary_density(tests::paper_case(1), options);
   EXPECT_EQ(by_error.solution.status, transform::Status::ok);
   EXPECT_LE(*by_error.solution.sampling->y, 4e-3);
   EXPECT_LE(*by_error.solution.sampling->ydot, 4e-3);
   options.time = 1e4;
-  const Result too_short = solve(tests::paper_case(1), options);
+  const SimulationResult too_short = simulate_stationary_density(tests::paper_case(1), options);
   EXPECT_EQ(too_short.solution.status, transform::Status::not_converged);
   EXPECT_FALSE(too_short.solution.reason.empty());
   EXPECT_NEAR(too_short.summary.time, 1e4, 300);
@@ -239,8 +246,8 @@ TEST(Solve, RunsUntilTheRequestedSamplesOrErrorAreReached) {
 // groups of streams.
 TEST(Solve, ProcessesThatShareTheStreamsGiveTheSameBits) {
   const auto problem = tests::paper_case(1);
-  Options options{.time = 2e4, .streams = 43};
-  const auto alone = solve(problem, options).solution;
+  SimulationOptions options{.time = 2e4, .streams = 43};
+  const auto alone = simulate_stationary_density(problem, options).solution;
   std::vector<std::string> parts;
   for (const int part : {1, 2, 0}) {
     options.process_group = {.part = part, .parts = 3, .gather = [&](const std::string& own) {
@@ -248,7 +255,7 @@ TEST(Solve, ProcessesThatShareTheStreamsGiveTheSameBits) {
                                parts.push_back(own);
                                return std::vector<std::string>();
                              }};
-    const auto [solution, summary] = solve(problem, options);
+    const auto [solution, summary] = simulate_stationary_density(problem, options);
     if (part > 0) {
       EXPECT_FALSE(solution.density);
       continue;
@@ -261,7 +268,7 @@ TEST(Solve, ProcessesThatShareTheStreamsGiveTheSameBits) {
 }
 
 TEST(Solve, ProcessesThatShareTheStreamsNeedAFixedTime) {
-  Options options{.target_error = 1e-3};
+  SimulationOptions options{.target_error = 1e-3};
   options.process_group.parts = 2;
   EXPECT_THROW(require_solvable(tests::paper_case(1), options), InputError);
 }

@@ -9,17 +9,17 @@
 namespace fpkcheck::mcs {
 namespace {
 
-using transform::Metric;
-using transform::MetricKind;
 using transform::Metrics;
+using transform::SolverMetric;
+using transform::SolverMetricKind;
 
-Summary made_up_summary() {
-  Summary summary;
+SimulationSummary made_up_summary() {
+  SimulationSummary summary;
   summary.excess_power = 1e-3;
   summary.excess_power_error = 2e-3;
   summary.impact_rate = {0.3, 0.01};
   summary.kick_interval = 0.05;
-  summary.joint_moments.assign(kPowers.size(), {1.5, 0.1});
+  summary.joint_moments.assign(kRecordedMomentPowers.size(), {1.5, 0.1});
   summary.y_quantiles = {{.probability = 0.5, .value = 0.6, .lower = 0.59, .upper = 0.62}};
   summary.crossings = {{.level = 0.5, .rate = {0.2, 0.02}}};
   summary.peaks = {{.level = 0, .rate = {0.4, 0.02}}, {.level = 0.5, .rate = {0.3, 0.02}}};
@@ -27,8 +27,8 @@ Summary made_up_summary() {
   return summary;
 }
 
-const Metric& metric_at_path(const Metrics& all, const std::string& path) {
-  const Metric* found = transform::find_metric(all, path);
+const SolverMetric& metric_at_path(const Metrics& all, const std::string& path) {
+  const SolverMetric* found = transform::find_metric(all, path);
   if (found == nullptr) throw std::logic_error("no " + path);
   return *found;
 }
@@ -41,13 +41,13 @@ TEST(Summary, RandomResultsHaveStandardErrors) {
   for (const auto& observation : all) {
     if (observation.standard_error_path.empty()) continue;
     ++with_error;
-    EXPECT_EQ(observation.kind, MetricKind::result) << observation.path;
-    EXPECT_EQ(metric_at_path(all, observation.standard_error_path).kind, MetricKind::error)
+    EXPECT_EQ(observation.kind, SolverMetricKind::result) << observation.path;
+    EXPECT_EQ(metric_at_path(all, observation.standard_error_path).kind, SolverMetricKind::error)
         << observation.path;
     EXPECT_GT(transform::metric_number(all, observation.standard_error_path), 0)
         << observation.path;
   }
-  EXPECT_EQ(with_error, 1 + 1 + static_cast<int>(kPowers.size()) + 1 + 1 + 2);
+  EXPECT_EQ(with_error, 1 + 1 + static_cast<int>(kRecordedMomentPowers.size()) + 1 + 1 + 2);
   EXPECT_EQ(metric_at_path(all, "excess_power.relative").standard_error_path,
             "excess_power.standard_error");
   EXPECT_EQ(metric_at_path(all, "impact_rate").standard_error_path, "impact_rate_error");
@@ -92,7 +92,7 @@ TEST(Summary, HasTheFieldsOfFilesInTheirOrder) {
                                               "peaks",
                                               "splitting_thresholds"}));
   EXPECT_EQ(metric_at_path(metrics(made_up_summary()), "quantiles.ydot[]").kind,
-            MetricKind::result);
+            SolverMetricKind::result);
   EXPECT_EQ(metric_at_path(metrics(made_up_summary()), "joint_moments[7].y").value,
             transform::value_from_count(1));
   EXPECT_EQ(metric_at_path(metrics(made_up_summary()), "joint_moments[7].v").value,
@@ -104,18 +104,18 @@ TEST(Summary, HasTheKindsOfItsMetrics) {
   for (const char* path : {"time", "samples", "threads", "seed", "impulses", "flights", "rounds",
                            "outside", "variance_reduction.y2", "variance_reduction.v2",
                            "splitting_thresholds[1]", "quantiles.y[0].lower"}) {
-    EXPECT_EQ(metric_at_path(all, path).kind, MetricKind::work) << path;
+    EXPECT_EQ(metric_at_path(all, path).kind, SolverMetricKind::work) << path;
   }
   for (const char* path : {"effective_samples", "effective_samples_y2", "impact_rate_error"}) {
-    EXPECT_EQ(metric_at_path(all, path).kind, MetricKind::error) << path;
+    EXPECT_EQ(metric_at_path(all, path).kind, SolverMetricKind::error) << path;
   }
   for (const char* path : {"streams", "step", "sampling_interval", "burn_in", "interrupted",
                            "kick_interval", "peaks[0].level", "quantiles.y[0].probability"}) {
-    EXPECT_EQ(metric_at_path(all, path).kind, MetricKind::result) << path;
+    EXPECT_EQ(metric_at_path(all, path).kind, SolverMetricKind::result) << path;
   }
   const auto without = metrics({});
   EXPECT_TRUE(base::is_unset(metric_at_path(without, "kick_interval").value));
-  EXPECT_EQ(metric_at_path(without, "splitting_thresholds[]").kind, MetricKind::work);
+  EXPECT_EQ(metric_at_path(without, "splitting_thresholds[]").kind, SolverMetricKind::work);
 }
 
 }  // namespace

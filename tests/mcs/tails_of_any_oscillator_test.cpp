@@ -61,7 +61,7 @@ Seen expect_equal_marginals(const transform::Marginal& plain, const transform::M
     const double a = standard_error(plain, b), c = standard_error(split, b);
     if (!(a > 0 && a < kWell * plain.density[b] && c > 0 && c < kWell * split.density[b])) continue;
     const double off = (split.density[b] - plain.density[b]) / std::hypot(a, c);
-    EXPECT_LT(std::abs(off), kStandardErrors) << plain.centre(b);
+    EXPECT_LT(std::abs(off), kStandardErrors) << plain.bin_centre(b);
     ++seen.bins;
     seen.in_tail += plain.density[b] < kTail * peak;
     seen.chi_square += off * off;
@@ -72,9 +72,10 @@ Seen expect_equal_marginals(const transform::Marginal& plain, const transform::M
 TEST(TailsOfAnyOscillator, AreThoseOfAPlainSimulationWhereBothSeeThem) {
   for (const Problem& problem : {problem_with_gap(), problem_with_two_walls()}) {
     SCOPED_TRACE(problem.system.right_wall() ? "two walls" : "gap");
-    const auto plain = solve(problem, {.time = 2e6, .seed = 1}).solution;
-    const Result split = solve(problem, {.time = 1e5, .seed = 2, .tails = true});
-    ASSERT_TRUE(split.solution.is_ok()) << split.solution.reason;
+    const auto plain = simulate_stationary_density(problem, {.time = 2e6, .seed = 1}).solution;
+    const SimulationResult split =
+        simulate_stationary_density(problem, {.time = 1e5, .seed = 2, .tails = true});
+    ASSERT_TRUE(split.solution.has_status_ok()) << split.solution.reason;
     EXPECT_GT(split.summary.thresholds.size(), 10u);
     for (std::size_t k = 0; k < 2; ++k) {
       const auto& [variable, many] = plain.estimated_marginals[k];
@@ -119,9 +120,10 @@ TEST(TailsOfAnyOscillator, OfALawWithLongTailsAreBoundedAndThoseOfAPlainSimulati
                                                                               .intensity = 0.1,
                                                                               .mean = 0.1,
                                                                               .skewness = -2})));
-  const auto plain = solve(problem, {.time = 4e6, .seed = 1}).solution;
-  const Result split = solve(problem, {.time = 4e5, .seed = 2, .tails = true});
-  ASSERT_TRUE(split.solution.is_ok()) << split.solution.reason;
+  const auto plain = simulate_stationary_density(problem, {.time = 4e6, .seed = 1}).solution;
+  const SimulationResult split =
+      simulate_stationary_density(problem, {.time = 4e5, .seed = 2, .tails = true});
+  ASSERT_TRUE(split.solution.has_status_ok()) << split.solution.reason;
   EXPECT_GT(split.summary.thresholds.size(), 5u);
   // About one branch per threshold, with a few flights between impulses.
   EXPECT_LT(split.summary.flights, 150 * split.summary.impulses);
@@ -139,9 +141,11 @@ TEST(TailsOfAnyOscillator, OfALawWithLongTailsAreBoundedAndThoseOfAPlainSimulati
 
 // Branches at rest contribute with their weights.
 TEST(TailsOfAnyOscillator, PreserveTheProbabilityOfRest) {
-  const auto plain = solve(problem_with_preload(), {.time = 4e5, .seed = 1}).solution;
+  const auto plain =
+      simulate_stationary_density(problem_with_preload(), {.time = 4e5, .seed = 1}).solution;
   const auto split =
-      solve(problem_with_preload(), {.time = 1e5, .seed = 2, .tails = true}).solution;
+      simulate_stationary_density(problem_with_preload(), {.time = 1e5, .seed = 2, .tails = true})
+          .solution;
   ASSERT_EQ(plain.atoms.size(), 1u);
   ASSERT_EQ(split.atoms.size(), 1u);
   const auto &p = plain.atoms.front(), &q = split.atoms.front();
@@ -161,7 +165,8 @@ TEST(TailsOfAnyOscillator, AreExactDownTo1eMinus8OfThePeakWithoutAWall) {
   Problem problem = folded;
   problem.system = System(
       {.damping = folded.system.damping(), .stiffness = folded.system.stiffness()}, {.none = true});
-  const Result result = solve(problem, {.time = 1.6e5, .seed = 5, .tails = true});
+  const SimulationResult result =
+      simulate_stationary_density(problem, {.time = 1.6e5, .seed = 5, .tails = true});
   EXPECT_GT(result.summary.thresholds.size(), 10u);
   const auto& [variable, estimate] = result.solution.estimated_marginals.back();
   ASSERT_EQ(variable, transform::StateVariable::ydot);
@@ -184,11 +189,11 @@ TEST(TailsOfAnyOscillator, AreExactDownTo1eMinus8OfThePeakWithoutAWall) {
 TEST(TailsOfAnyOscillator, DoNotDependOnThreadsAndGoOnFromACheckpoint) {
   const tests::TemporaryDirectory directory;
   const std::string file = (directory.path() / "state").string();
-  const Options options{.time = 3e3, .threads = 1, .streams = 20, .tails = true};
-  Options parallel = options, first = options, rest = options;
+  const SimulationOptions options{.time = 3e3, .threads = 1, .streams = 20, .tails = true};
+  SimulationOptions parallel = options, first = options, rest = options;
   parallel.threads = 3;
-  const auto moments = [](const Options& o) {
-    return solve(problem_with_preload(), o).solution.moments;
+  const auto moments = [](const SimulationOptions& o) {
+    return simulate_stationary_density(problem_with_preload(), o).solution.moments;
   };
   const auto one = moments(options);
   EXPECT_EQ(moments(parallel).v4, one.v4);
@@ -203,7 +208,7 @@ TEST(TailsOfAnyOscillator, DoNotDependOnThreadsAndGoOnFromACheckpoint) {
 }
 
 TEST(TailsOfAnyOscillator, AreNotSupportedWhereTheEnergyRisesBetweenImpulses) {
-  const Options tails{.tails = true};
+  const SimulationOptions tails{.tails = true};
   for (const Problem& problem :
        {problem_with_gap(), problem_with_two_walls(), problem_with_preload()}) {
     EXPECT_EQ(unsupported_reason(problem, tails), "");
@@ -212,7 +217,7 @@ TEST(TailsOfAnyOscillator, AreNotSupportedWhereTheEnergyRisesBetweenImpulses) {
   Problem noisy = problem_with_gap();
   noisy.noise.intensity = 0.1;
   EXPECT_NE(unsupported_reason(noisy, tails).find("noise"), std::string::npos);
-  EXPECT_THROW(solve(noisy, {.time = 1e3, .tails = true}), InputError);
+  EXPECT_THROW(simulate_stationary_density(noisy, {.time = 1e3, .tails = true}), InputError);
   const Problem ring =
       with_impulses(System({.damping = -0.1, .van_der_pol = 0.1, .stiffness = 1}, {.none = true}),
                     gaussian_impulses(1, 0.1));

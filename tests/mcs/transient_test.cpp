@@ -29,7 +29,7 @@ TransientRequest transient_request(double until, int snapshots) {
 // closed forms, for impulses of any law. At the start the density of y' is Gaussian.
 TEST(SimulationOverTime, HasTheExactMomentsOfTheLinearOscillator) {
   const auto problem = tests::make_problem({.cubic = 0, .restitution = 1});
-  const transform::Transient result =
+  const transform::TransientDensities result =
       estimate_transient(problem, {.time = 2e5, .seed = 3}, transient_request(4, 4));
   ASSERT_EQ(result.status, Status::ok) << result.reason;
   ASSERT_EQ(result.snapshots.size(), 5u);
@@ -60,11 +60,11 @@ TEST(SimulationOverTime, HasTheExactMomentsUnderAnExcitationThatChangesInTime) {
       tests::with_impulses(problem::System({.damping = 0.1, .stiffness = 1}, {.none = true}),
                            tests::gaussian_impulses(1, 0.2, 0.2));
   problem.noise.intensity = 0.1;
-  problem.time = problem::TimeDependence(
+  problem.time = problem::ExcitationTimeDependence(
       {.rate = "1 + 0.8*sin(2*t)", .intensity = "exp(-t)", .force = "0.5*cos(1.3*t) + 0.2*t"}, {});
   TransientRequest from_centre = transient_request(4, 4);
   from_centre.start.mean_displacement = 0;
-  const transform::Transient result =
+  const transform::TransientDensities result =
       estimate_transient(problem, {.time = 4e5, .seed = 4}, from_centre);
   ASSERT_EQ(result.status, Status::ok) << result.reason;
   for (const auto& s : result.snapshots) {
@@ -82,8 +82,8 @@ TEST(SimulationOverTime, HasTheExactMomentsUnderAnExcitationThatChangesInTime) {
 // The test covers DuffingFlights under impulses with a time-dependent rate.
 TEST(SimulationOverTime, HasTheExactMomentsAtAWallUnderARateThatChangesInTime) {
   auto problem = tests::make_problem({.cubic = 0, .restitution = 1});
-  problem.time = problem::TimeDependence({.rate = "4*exp(-t)"}, {});
-  const transform::Transient result =
+  problem.time = problem::ExcitationTimeDependence({.rate = "4*exp(-t)"}, {});
+  const transform::TransientDensities result =
       estimate_transient(problem, {.time = 2e5, .seed = 5}, transient_request(4, 2));
   ASSERT_EQ(result.status, Status::ok) << result.reason;
   for (const auto& s : result.snapshots) {
@@ -101,8 +101,8 @@ TEST(SimulationOverTime, HasFiniteMomentsWhereTheNoiseVanishes) {
       tests::with_noise(problem::System({.damping = 0.2, .constant = 0.5, .stiffness = 1},
                                         {.left = 0, .left_restitution = 0.5}),
                         0.2);
-  problem.time = problem::TimeDependence({.intensity = "max(0, sin(t))"}, {});
-  const transform::Transient result =
+  problem.time = problem::ExcitationTimeDependence({.intensity = "max(0, sin(t))"}, {});
+  const transform::TransientDensities result =
       estimate_transient(problem, {.time = 2e4, .seed = 8}, transient_request(6, 3));
   ASSERT_EQ(result.status, Status::ok) << result.reason;
   for (const auto& s : result.snapshots) EXPECT_TRUE(std::isfinite(s.moments.v2)) << s.time;
@@ -112,11 +112,12 @@ TEST(SimulationOverTime, FindsThePeriodicState) {
   problem::Problem problem =
       tests::with_impulses(problem::System({.damping = 0.4, .stiffness = 1}, {.none = true}),
                            tests::gaussian_impulses(1, 0.4));
-  problem.time = problem::TimeDependence({.rate = "1 + 0.9*sin(2*t)", .force = "0.3*cos(t)"}, {});
+  problem.time =
+      problem::ExcitationTimeDependence({.rate = "1 + 0.9*sin(2*t)", .force = "0.3*cos(t)"}, {});
   const double period = 2 * M_PI;
   TransientRequest periodic = transient_request(period, 3);
   periodic.periodic = true;
-  const transform::Transient result =
+  const transform::TransientDensities result =
       estimate_transient(problem, {.time = 1e6, .seed = 7}, periodic);
   ASSERT_EQ(result.status, Status::ok) << result.reason;
   for (const auto& s : result.snapshots) {
@@ -135,14 +136,15 @@ TEST(SimulationOverTime, LiftsTheMassOffTheWallWhenTheForceChangesItsSign) {
   problem::Problem problem = tests::with_impulses(
       problem::System({.damping = 1e-4, .stiffness = 1e-4}, {.left = 0, .left_restitution = 0.2}),
       tests::gaussian_impulses(1e-4, 1e-8));
-  problem.time = problem::TimeDependence({.force = "20*sign(t - 2) - 19*max(0, sign(t - 2))"}, {});
+  problem.time =
+      problem::ExcitationTimeDependence({.force = "20*sign(t - 2) - 19*max(0, sign(t - 2))"}, {});
   const TransientRequest at_rest{
       .start = {.displacement_deviation = 1e-3, .velocity_deviation = 1e-3},
       .until = 4,
       .snapshots = 4,
       .y_edges = {0, 1, 3},
       .v_edges = {-3, 0, 3}};
-  const transform::Transient result =
+  const transform::TransientDensities result =
       estimate_transient(problem, {.time = 4e3, .seed = 6}, at_rest);
   ASSERT_EQ(result.status, Status::ok) << result.reason;
   EXPECT_LT(result.snapshots[1].moments.y2, 1e-8);

@@ -11,16 +11,17 @@
 namespace fpkcheck::mcs {
 namespace {
 
-Result simulate_under_white_noise(const problem::Problem& problem, double time,
-                                  std::optional<double> step = {}) {
-  return solve(problem, {.equation = DensityEquation::white, .time = time, .white_step = step});
+SimulationResult simulate_under_white_noise(const problem::Problem& problem, double time,
+                                            std::optional<double> step = {}) {
+  return simulate_stationary_density(
+      problem, {.equation = DensityEquation::white, .time = time, .white_step = step});
 }
 
 TEST(WhiteNoise, WithoutLossesHasItsExactDensity) {
   for (const double mean : {0.0, 0.15}) {
     SCOPED_TRACE(mean);
     const auto problem = tests::make_problem({.cubic = 1, .restitution = 1, .mean = mean});
-    const Result result = simulate_under_white_noise(problem, 2e5);
+    const SimulationResult result = simulate_under_white_noise(problem, 2e5);
     EXPECT_EQ(result.solution.id(), "mcs-white");
     EXPECT_EQ(result.solution.identity.equation, DensityEquation::white);
     const exact::WhiteNoiseDensity exact(problem);
@@ -28,9 +29,9 @@ TEST(WhiteNoise, WithoutLossesHasItsExactDensity) {
     for (const auto& [variable, estimate] : result.solution.estimated_marginals) {
       const bool is_y = variable == transform::StateVariable::y;
       for (std::size_t b = 0; b < estimate.size(); ++b) {
-        const double x = estimate.centre(b);
+        const double x = estimate.bin_centre(b);
         const double p = is_y ? exact.displacement_marginal(x) : exact.velocity_marginal(x);
-        distances[is_y ? 0 : 1] += std::abs(estimate.density[b] - p) * estimate.width(b);
+        distances[is_y ? 0 : 1] += std::abs(estimate.density[b] - p) * estimate.bin_width(b);
       }
     }
     EXPECT_LT(distances[0], 1.5 * *result.solution.sampling->y);
@@ -49,7 +50,7 @@ TEST(WhiteNoise, WithLossesHasAnErrorOfTheFirstOrderInTheStep) {
   const auto problem = tests::make_problem({.restitution = 0.5});
   double stated = 0;  // error estimate of the last simulation
   const auto v2 = [&](double step) {
-    const Result result = simulate_under_white_noise(problem, 1e6, step);
+    const SimulationResult result = simulate_under_white_noise(problem, 1e6, step);
     stated = result.solution.error->moments.v2;
     return MeanEstimate{result.solution.moments.v2, result.solution.standard_errors->moments.v2};
   };
@@ -74,7 +75,7 @@ TEST(WhiteNoise, IsRefusedWhereImpactsAccumulate) {
   EXPECT_FALSE(solution.has_density());
   EXPECT_NE(solution.reason.find("inelastic collapse"), std::string::npos) << solution.reason;
   // Separate impulses cause no inelastic collapse.
-  EXPECT_TRUE(solve(problem, {.time = 1e4}).solution.has_density());
+  EXPECT_TRUE(simulate_stationary_density(problem, {.time = 1e4}).solution.has_density());
   EXPECT_TRUE(simulate_under_white_noise(tests::make_problem({.restitution = 0.2}), 1e4)
                   .solution.has_density());
 }

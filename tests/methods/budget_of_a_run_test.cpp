@@ -26,7 +26,7 @@ void expect_the_parts_bound_the_total(const std::vector<compare::ErrorBudgetRow>
 const std::vector<transform::Solution>& without_simulation() {
   static const auto solutions =
       run_cases({tests::paper_case(1)},
-                builtin_registry().select_methods(
+                builtin_registry().methods_selected_by_list(
                     "epc-gaussian-n2,epc-gaussian-n4,epc-gaussian-n6,epc-moment-n8,fd", {}),
                 0, {})
           .front()
@@ -37,17 +37,17 @@ const std::vector<transform::Solution>& without_simulation() {
 results::CaseResult case_1(bool controlled) {
   const auto problem = tests::paper_case(1);
   const auto axes = compare::comparison_axes(problem);
-  const auto simulation =
-      builtin_registry()
-          .select_methods("mcs", {{"time", controlled ? 3e6 : 2e5}, {"controlled", controlled}})
-          .front();
+  const auto simulation = builtin_registry()
+                              .methods_selected_by_list("mcs", {{"time", controlled ? 3e6 : 2e5},
+                                                                {"controlled", controlled}})
+                              .front();
   auto solutions = without_simulation();
   solutions.push_back(solve_with_method(simulation, problem, {axes, {}}));
   return results::make_case_result(problem, axes, std::move(solutions));
 }
 
-// A simulation with control variates has an L1 error of about 2e-6. Hence the budget has no sampling part, and
-// the simulation measures the discretisation.
+// A simulation with control variates has an L1 error of about 2e-6. Hence the budget has no
+// sampling part, and the simulation measures the discretisation.
 TEST(BudgetOfARun, EndsWithTheMeasuredDiscretisation) {
   const auto one = case_1(true);
   ASSERT_EQ(one.budget.size(), 8u);
@@ -56,7 +56,7 @@ TEST(BudgetOfARun, EndsWithTheMeasuredDiscretisation) {
     EXPECT_EQ(row.parts.size(), row.solution == "epc-moment-n8" ? 2u : 4u) << row.solution;
     EXPECT_EQ(row.reference, "mcs");
     const auto& last = row.parts.back();
-    EXPECT_EQ(last.name(), "discretisation");
+    EXPECT_EQ(last.part_name(), "discretisation");
     EXPECT_EQ(last.from, "fd-kf");
     EXPECT_LT(*last.standard_error, 0.1 * last.l1);
     // The error estimate of fd-kf, from the same grids and without simulation.
@@ -74,10 +74,10 @@ TEST(BudgetOfARun, IsBoundedByItsPartsInEveryRow) {
     const bool moment = row.solution == "epc-moment-n8";
     EXPECT_EQ(row.parts.size(), moment ? 3u : 5u) << row.solution;
     for (const auto& part : row.parts) {
-      if (part.name() == "sampling") {
+      if (part.part_name() == "sampling") {
         EXPECT_LT(part.l1, 1.5 * part.quantile_99.value());
-      } else if (part.name() != "discretisation") {
-        EXPECT_GT(part.l1, part.uncertainty.value()) << row.solution << " " << part.name();
+      } else if (part.part_name() != "discretisation") {
+        EXPECT_GT(part.l1, part.uncertainty.value()) << row.solution << " " << part.part_name();
       }
     }
   }

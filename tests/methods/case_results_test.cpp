@@ -18,8 +18,8 @@ constexpr double kTrueY2 = 0.3945181772, kTrueV2 = 0.4415122125;  // case 1, acc
 
 double integral(const transform::GridDensity& map) {
   double sum = 0;
-  for (std::size_t i = 0; i < map.ny(); ++i) {
-    for (std::size_t j = 0; j < map.nv(); ++j) {
+  for (std::size_t i = 0; i < map.y_cell_count(); ++i) {
+    for (std::size_t j = 0; j < map.v_cell_count(); ++j) {
       sum += map.cell_average(i, j) * (map.y_edges[i + 1] - map.y_edges[i]) *
              (map.v_edges[j + 1] - map.v_edges[j]);
     }
@@ -30,7 +30,7 @@ double integral(const transform::GridDensity& map) {
 TEST(MomentErrorEstimates, CorrectTheMomentsOfEverySolution) {
   auto cases = run_cases(
       {tests::paper_case(1)},
-      builtin_registry().select_methods(
+      builtin_registry().methods_selected_by_list(
           "epc-gaussian-n2,epc-gaussian-n6,epc-moment-n8,fd-white,fd-kf,mcs", {{"time", 2e4}}),
       0, {});
   add_moment_error_estimates(cases.front(), ResidualErrorEstimator(tests::paper_case(1)), 0);
@@ -84,18 +84,19 @@ TEST(MomentErrorEstimates, HavePhysicalAxesForMirroredProblems) {
   EXPECT_NEAR(integral(map), one.moment_error_estimates[0].error.y2, 1e-5);
   // The error sources vanish far from the density: at the low end of y.
   double low = 0, high = 0;
-  for (std::size_t j = 0; j < map.nv(); ++j) {
+  for (std::size_t j = 0; j < map.v_cell_count(); ++j) {
     for (std::size_t i = 0; i < 5; ++i) {
       low = std::max(low, std::abs(map.cell_average(i, j)));
-      high = std::max(high, std::abs(map.cell_average(map.ny() - 1 - i, j)));
+      high = std::max(high, std::abs(map.cell_average(map.y_cell_count() - 1 - i, j)));
     }
   }
   EXPECT_LT(low, 1e-3 * high);
 }
 
 TEST(MomentErrorEstimates, AreEmptyWithoutADensity) {
-  auto cases = run_cases({tests::paper_case(1)},
-                         builtin_registry().select_methods("mcs", {{"time", 2e3}}), 0, {});
+  auto cases =
+      run_cases({tests::paper_case(1)},
+                builtin_registry().methods_selected_by_list("mcs", {{"time", 2e3}}), 0, {});
   add_moment_error_estimates(cases.front(), ResidualErrorEstimator(tests::paper_case(1)), 0);
   EXPECT_TRUE(cases.front().moment_error_estimates.empty());
   EXPECT_TRUE(cases.front().error_sources.empty());

@@ -37,7 +37,7 @@ TEST(SolveInWallCoordinates, MarginalsOfASimulationHaveTheExactAxes) {
                              tests::gaussian_impulses(1, 0.2));
     const auto axes = compare::comparison_axes(problem);
     const auto solution = method->solve(problem, {axes, {}});
-    SCOPED_TRACE(problem::parameters_text(problem));
+    SCOPED_TRACE(problem::non_default_parameters_text(problem));
     for (const auto variable : transform::kVariables) {
       const auto marginal =
           transform::marginal(solution, variable, compare::comparison_bin_edges(axes, variable));

@@ -70,7 +70,7 @@ struct NamedStyle {
 std::vector<NamedStyle> all_styles() {
   std::vector<NamedStyle> all;
   const SolverRegistry registry = builtin_registry();
-  for (const auto* family : registry.families_by_trust()) {
+  for (const auto* family : registry.method_families_by_trust()) {
     for (const auto& id : family->default_ids) {
       const auto method = registry.find_method_by_id(id);
       all.push_back({id, family->name, method->identity.plot_style});

@@ -17,9 +17,10 @@ using transform::StateVariable;
 using transform::Status;
 
 TEST(RandomProblems, SolutionsAreWithinTheirErrorEstimates) {
-  const auto closures_too = builtin_registry().select_methods("epc-gaussian-n2,epc-moment-n4,fd-kf",
-                                                              {{"stepper", "direct"}});
-  const auto differences = builtin_registry().select_methods("fd-kf", {{"stepper", "direct"}});
+  const auto closures_too = builtin_registry().methods_selected_by_list(
+      "epc-gaussian-n2,epc-moment-n4,fd-kf", {{"stepper", "direct"}});
+  const auto differences =
+      builtin_registry().methods_selected_by_list("fd-kf", {{"stepper", "direct"}});
   std::vector<std::uint64_t> numbers{3,  10, 13, 18, 19, 25,  29,  33,  43,  60,  62,  66,
                                      75, 86, 94, 98, 99, 100, 101, 104, 106, 113, 115, 119};
   // Every third problem, since each requires a simulation and a fit.
@@ -30,11 +31,12 @@ TEST(RandomProblems, SolutionsAreWithinTheirErrorEstimates) {
   // From 0.05 impulses per decay time to thousands, all laws, r from 0.05 to 1.
   for (const std::uint64_t number : numbers) {
     const auto p = tests::random_problem(number);
-    SCOPED_TRACE(p.name + ": " + problem::parameters_text(p));
+    SCOPED_TRACE(p.name + ": " + problem::non_default_parameters_text(p));
     const auto axes = compare::undivided_axes(compare::comparison_axes(p));
     const double decay = problem::slowest_decay_rate(problem::equivalent_linearisation(p));
     const auto judge =
-        mcs::solve(p, {.time = 5e4 / decay, .y_edges = axes.y_edges, .v_edges = axes.v_edges})
+        mcs::simulate_stationary_density(
+            p, {.time = 5e4 / decay, .y_edges = axes.y_edges, .v_edges = axes.v_edges})
             .solution;
     const ResidualErrorEstimator residuals(p);
     // Closures for every other problem, since each requires a fit.
@@ -42,7 +44,7 @@ TEST(RandomProblems, SolutionsAreWithinTheirErrorEstimates) {
       SCOPED_TRACE(method.id());
       const auto solution = solve_with_method(method, p, {axes, {}, &residuals});
       const bool closure = solution.identity.role == transform::SolutionRole::closure;
-      EXPECT_TRUE(closure || solution.is_ok()) << solution.reason;
+      EXPECT_TRUE(closure || solution.has_status_ok()) << solution.reason;
       if (!solution.density) continue;
       ASSERT_TRUE(solution.error);
       const auto apart = [&](StateVariable variable) {
@@ -56,7 +58,7 @@ TEST(RandomProblems, SolutionsAreWithinTheirErrorEstimates) {
       if (!closure) continue;
       ++closures;
       inaccurate += solution.status == Status::inaccurate;
-      if (solution.is_ok()) {
+      if (solution.has_status_ok()) {
         EXPECT_LT(apart(StateVariable::y), 0.02 + *judge.sampling->y_99);
         EXPECT_LT(apart(StateVariable::ydot), 0.02 + *judge.sampling->ydot_99);
       }
@@ -70,20 +72,22 @@ TEST(RandomProblems, SolutionsAreWithinTheirErrorEstimates) {
 // divided. With strong losses these bins had errors of 0.05 to 0.06 while the innermost cells were
 // wider than the bins.
 TEST(RandomProblems, DividedBinsCloseToRestAreAccurate) {
-  const auto method = builtin_registry().select_methods("fd-kf", {{"stepper", "direct"}}).front();
+  const auto method =
+      builtin_registry().methods_selected_by_list("fd-kf", {{"stepper", "direct"}}).front();
   for (const std::uint64_t number : {115, 104, 119}) {
     if (number != 115 && !tests::is_thorough()) continue;
     const auto p = tests::random_problem(number);
-    SCOPED_TRACE(p.name + ": " + problem::parameters_text(p));
+    SCOPED_TRACE(p.name + ": " + problem::non_default_parameters_text(p));
     const auto axes = compare::comparison_axes(p);
     ASSERT_GT(axes.divisions, 0);
     const double decay = problem::slowest_decay_rate(problem::equivalent_linearisation(p));
     const auto judge =
-        mcs::solve(p, {.time = 5e4 / decay, .y_edges = axes.y_edges, .v_edges = axes.v_edges})
+        mcs::simulate_stationary_density(
+            p, {.time = 5e4 / decay, .y_edges = axes.y_edges, .v_edges = axes.v_edges})
             .solution;
     const ResidualErrorEstimator residuals(p);
     const auto solution = solve_with_method(method, p, {axes, {}, &residuals});
-    ASSERT_TRUE(solution.is_ok()) << solution.reason;
+    ASSERT_TRUE(solution.has_status_ok()) << solution.reason;
     const auto apart = [&](StateVariable variable) {
       const auto& edges = compare::comparison_bin_edges(axes, variable);
       return transform::l1_distance(transform::marginal(solution, variable, edges),

@@ -16,7 +16,7 @@ namespace {
 
 std::vector<std::string> ids(const std::string& list) {
   std::vector<std::string> result;
-  for (const auto& method : builtin_registry().select_methods(list, {}))
+  for (const auto& method : builtin_registry().methods_selected_by_list(list, {}))
     result.push_back(method.id());
   return result;
 }
@@ -55,7 +55,7 @@ TEST(SolverRegistry, UnknownMethodsAreRefused) {
 TEST(SolverRegistry, SolutionsHaveTheIdentityOfTheirMethod) {
   const auto problem = tests::paper_case(1);
   const auto axes = compare::comparison_axes(problem);
-  for (const auto& method : builtin_registry().select_methods(
+  for (const auto& method : builtin_registry().methods_selected_by_list(
            "epc-gaussian-n2,epc-gaussian-white-n4,epc-moment-n4,epc-moment-cut-n2,fd-white,mcs",
            {{"time", 5000.0}})) {
     const auto solution = method.solve(problem, {axes, {}});
@@ -80,7 +80,7 @@ TEST(SolverRegistry, SimulationUsesTheComparisonAxes) {
 
 TEST(SolverRegistry, EveryMethodHasAMeaningAndADistinctStyle) {
   std::set<std::pair<std::string, std::string>> looks;  // colour and dash
-  const auto methods = builtin_registry().select_methods("epc,fd,mcs", {});
+  const auto methods = builtin_registry().methods_selected_by_list("epc,fd,mcs", {});
   for (const auto& method : methods) {
     const auto& who = method.identity;
     EXPECT_FALSE(who.family.empty()) << who.id;
@@ -109,7 +109,7 @@ TEST(SolverRegistry, OverridesReplaceExistingOptions) {
 TEST(SolverRegistry, FindsTheMethodOfASolution) {
   const SolverRegistry registry = builtin_registry();
   for (const auto& method :
-       registry.select_methods("epc-moment-n8,epc-gaussian-kf-n4,fd,mcs", {})) {
+       registry.methods_selected_by_list("epc-moment-n8,epc-gaussian-kf-n4,fd,mcs", {})) {
     transform::Solution saved{.identity = {.id = method.id(), .method = method.identity.method},
                               .options = method.options};
     const auto again = registry.method_for_solution(saved, {});
@@ -130,7 +130,7 @@ TEST(SolverRegistry, AnnotatesTheSolutionsOfAnOlderRun) {
   results::Run run{{}, {{tests::paper_case(1), {}, {}, {}, {}, {}, {}}}};
   run.cases[0].solutions = {{.identity = {.id = "epc-moment-n8", .method = "epc"}},
                             {.identity = {.id = "stranger", .method = "magic"}}};
-  registry.complete_solution_identities(run);
+  registry.set_missing_identity_fields_of_run(run);
   EXPECT_EQ(run.cases[0].solutions[0].identity.family, "epc-moment");
   EXPECT_EQ(run.cases[0].solutions[0].identity.role, transform::SolutionRole::closure);
   EXPECT_EQ(run.cases[0].solutions[1].identity.family, "");
@@ -138,13 +138,13 @@ TEST(SolverRegistry, AnnotatesTheSolutionsOfAnOlderRun) {
 
 TEST(SolverRegistry, RefusesDuplicateNames) {
   SolverRegistry registry = builtin_registry();
-  EXPECT_THROW(registry.add(epc_solver()), std::logic_error);
+  EXPECT_THROW(registry.add_solver(epc_solver()), std::logic_error);
   Solver same_families = epc_solver();
   same_families.name = "another";
-  EXPECT_THROW(registry.add(same_families), std::logic_error);
+  EXPECT_THROW(registry.add_solver(same_families), std::logic_error);
   Solver same_name = epc_solver();
   same_name.families.clear();
-  EXPECT_THROW(registry.add(same_name), std::logic_error);
+  EXPECT_THROW(registry.add_solver(same_name), std::logic_error);
 }
 
 }  // namespace

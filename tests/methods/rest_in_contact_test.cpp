@@ -19,10 +19,10 @@ using transform::Status;
 
 results::CaseResult run(const std::string& case_name, const std::vector<std::string>& overrides,
                         const std::string& methods) {
-  return compute_case_results({problem::load_case(case_name, overrides)},
-                              // A loaded machine needs more than the default time.
-                              builtin_registry().select_methods(methods, {{"max_seconds", 300.0}}),
-                              {})
+  return compute_case_results(
+             {problem::load_case(case_name, overrides)},
+             // A loaded machine needs more than the default time.
+             builtin_registry().methods_selected_by_list(methods, {{"max_seconds", 300.0}}), {})
       .at(0);
 }
 
@@ -42,7 +42,7 @@ TEST(RestInContact, AgreesWithFiniteVolumes) {
     const std::string id = "epc-polar-n" + std::to_string(order);
     const auto one = run(name, overrides, id + ",fd-kf");
     const Solution &closure = one.solutions[0], &volumes = one.solutions[1];
-    ASSERT_TRUE(volumes.is_ok()) << volumes.reason;
+    ASSERT_TRUE(volumes.has_status_ok()) << volumes.reason;
     ASSERT_TRUE(closure.density) << closure.reason;
     EXPECT_NEAR(closure.atoms.at(0).probability / volumes.atoms.at(0).probability, 1, at_rest)
         << name;

@@ -25,7 +25,7 @@ struct Probe {
     return {.identity = {.id = id, .method = "probe"},
             .uses_all_processors = uses_all_processors,
             .solve = [this, uses_all_processors](const problem::Problem& problem,
-                                                 const SolveContext& context) {
+                                                 const SolverInputContext& context) {
               const int now = ++running;
               if (uses_all_processors && now > 1)
                 throw std::logic_error("a parallel method is not alone");
@@ -94,18 +94,20 @@ TEST(RunCases, ChecksAllMethodsBeforeSolving) {
 }
 
 TEST(RunCases, ChecksTheTimeOfTheSimulation) {
-  const auto simulation = builtin_registry().select_methods("mcs", {{"time", 1e300}});
+  const auto simulation = builtin_registry().methods_selected_by_list("mcs", {{"time", 1e300}});
   EXPECT_THROW(require_compatible_options(two_problems(), simulation), InputError);
-  EXPECT_NO_THROW(require_compatible_options(two_problems(),
-                                             builtin_registry().select_methods("epc,fd,mcs", {})));
+  EXPECT_NO_THROW(require_compatible_options(
+      two_problems(), builtin_registry().methods_selected_by_list("epc,fd,mcs", {})));
 }
 
 TEST(RunCases, ContinuesIfOneMethodRunsOutOfMemory) {
   Probe probe;
   const auto without = [](const std::string& id, auto failure) {
-    return Method{.identity = {.id = id, .method = "probe"},
-                  .solve = [=](const problem::Problem&,
-                               const SolveContext&) -> transform::Solution { throw failure; }};
+    return Method{
+        .identity = {.id = id, .method = "probe"},
+        .solve = [=](const problem::Problem&, const SolverInputContext&) -> transform::Solution {
+          throw failure;
+        }};
   };
   const auto cases = run_cases(
       two_problems(),
@@ -134,7 +136,7 @@ TEST(RunCases, ContinuesIfOneMethodRunsOutOfMemory) {
 TEST(RunCases, PropagatesExceptionsOfSolvers) {
   const Method broken{
       .identity = {.id = "broken", .method = "probe"},
-      .solve = [](const problem::Problem&, const SolveContext&) -> transform::Solution {
+      .solve = [](const problem::Problem&, const SolverInputContext&) -> transform::Solution {
         throw std::runtime_error("no memory");
       }};
   EXPECT_THROW(run_cases(two_problems(), {broken}, 2, {}), std::runtime_error);

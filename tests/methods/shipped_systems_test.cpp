@@ -22,7 +22,7 @@ using transform::StateVariable;
 Solution solved(const problem::Problem& problem, const std::string& id,
                 const base::Values& options = {}) {
   const auto registry = builtin_registry();
-  const auto method = registry.select_methods(id, options).front();
+  const auto method = registry.methods_selected_by_list(id, options).front();
   return solve_with_method(method, problem, {compare::comparison_axes(problem), {}});
 }
 
@@ -31,7 +31,7 @@ class ExactSystems : public testing::TestWithParam<const char*> {};
 TEST_P(ExactSystems, AreSolvedByFiniteVolumes) {
   const auto problem = problem::load_case(GetParam());
   const Solution solution = solved(problem, "fd-kf");
-  ASSERT_TRUE(solution.is_ok()) << solution.reason;
+  ASSERT_TRUE(solution.has_status_ok()) << solution.reason;
   const exact::EnergyLaw law(problem);
   const auto axes = compare::comparison_axes(problem);
   for (const auto variable : transform::kVariables) {
@@ -45,7 +45,7 @@ TEST_P(ExactSystems, AreSolvedByFiniteVolumes) {
                                                 : law.velocity_marginal(x);
           },
           marginal.edges[k], marginal.edges[k + 1]);
-      l1 += std::abs(marginal.density[k] - exact) * marginal.width(k);
+      l1 += std::abs(marginal.density[k] - exact) * marginal.bin_width(k);
     }
     EXPECT_LT(l1, 1e-4) << transform::name(variable);
   }
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, ExactSystems,
 TEST(LinearSystem, HasItsCumulants) {
   const auto problem = problem::load_case("linear");
   const Solution solution = solved(problem, "fd-kf");
-  ASSERT_TRUE(solution.is_ok()) << solution.reason;
+  ASSERT_TRUE(solution.has_status_ok()) << solution.reason;
   const auto kappa = [&](int p, int q) { return exact::linear_cumulant(problem, p, q); };
   const auto& m = solution.moments;
   EXPECT_NEAR(m.y1 / kappa(1, 0), 1, 1e-6);
@@ -69,8 +69,8 @@ TEST(LinearSystem, HasItsCumulants) {
   EXPECT_NEAR((m.v4 - 3 * m.v2 * m.v2) / kappa(0, 4), 1, 1e-6);
 }
 
-// Shipped cases of formulas. The softening spring has p ~ exp(-(c/D)(v^2/2 + V)) with D/c = 0.5, the
-// double well of Duffing the same with D/c = 0.25, and p of caughey_ma depends on the energy.
+// Shipped cases of formulas. The softening spring has p ~ exp(-(c/D)(v^2/2 + V)) with D/c = 0.5,
+// the double well of Duffing the same with D/c = 0.25, and p of caughey_ma depends on the energy.
 TEST(Formulas, ShippedCasesHaveTheirExactMoments) {
   const auto mean_square = [](const auto& potential, double temperature) {
     double mass = 0, square = 0;
@@ -91,7 +91,7 @@ TEST(Formulas, ShippedCasesHaveTheirExactMoments) {
                      {"caughey_ma", 0.6, 0.6}};
   for (const auto& [name, y2, v2] : cases) {
     const Solution solution = solved(problem::load_case(name), "fd-kf", {{"max_seconds", 200.0}});
-    ASSERT_TRUE(solution.is_ok()) << name << solution.reason;
+    ASSERT_TRUE(solution.has_status_ok()) << name << solution.reason;
     EXPECT_NEAR(solution.moments.y2, y2, 2 * solution.error->moments.y2 + 1e-9) << name;
     EXPECT_NEAR(solution.moments.v2, v2, 2 * solution.error->moments.v2 + 1e-9) << name;
     EXPECT_LT(solution.error->moments.y2, 1e-5) << name;
@@ -105,9 +105,9 @@ TEST_P(OtherSystems, AgreeBetweenFiniteVolumesAndSimulation) {
   const auto problem = problem::load_case(GetParam());
   // A loaded machine needs more than the default time.
   const Solution differences = solved(problem, "fd-kf", {{"max_seconds", 200.0}});
-  ASSERT_TRUE(differences.is_ok()) << differences.reason;
+  ASSERT_TRUE(differences.has_status_ok()) << differences.reason;
   const Solution simulated = solved(problem, "mcs", {{"seed", std::int64_t{7}}, {"time", 4e5}});
-  ASSERT_TRUE(simulated.is_ok()) << simulated.reason;
+  ASSERT_TRUE(simulated.has_status_ok()) << simulated.reason;
   const auto axes = compare::comparison_axes(problem);
   for (const auto variable : transform::kVariables) {
     const auto& bins = comparison_bin_edges(axes, variable);

@@ -15,7 +15,8 @@ using transform::StateVariable;
 
 /// Expects L1 distances of the simulated marginals from those of another solution that agree with
 /// the expected sampling error. The ratio varies by some tens of per cent.
-void expect_within_chance(const mcs::Result& simulated, const transform::Solution& other) {
+void expect_within_chance(const mcs::SimulationResult& simulated,
+                          const transform::Solution& other) {
   for (const auto& [variable, estimate] : simulated.solution.estimated_marginals) {
     const auto reference = transform::marginal(other, variable, estimate.edges);
     const double l1 = transform::l1_distance(estimate, reference);
@@ -31,7 +32,7 @@ void expect_within_chance(const mcs::Result& simulated, const transform::Solutio
 std::vector<double> at_the_wall(const transform::GridDensity& grid) {
   constexpr std::size_t kPoints = 6;
   std::vector<double> wall;
-  for (std::size_t j = 0; j < grid.nv(); ++j) {
+  for (std::size_t j = 0; j < grid.v_cell_count(); ++j) {
     double slope = 0, cumulative = 0;
     for (std::size_t a = 1; a < kPoints; ++a) {
       cumulative += grid.cell_average(a - 1, j) * (grid.y_edges[a] - grid.y_edges[a - 1]);
@@ -64,16 +65,19 @@ TEST(SimulationAgainstFiniteVolumes, DensitiesDifferBySamplingErrors) {
   for (const auto& problem : {tests::paper_case(4), tests::make_problem({.restitution = 0.7}),
                               tests::make_problem({.rate = 0.3}),
                               tests::make_problem({.restitution = 0.9, .law = "exponential"})}) {
-    const auto fd = fd_fpk::solve(problem, {.stepper = fd_fpk::StationarySolver::direct});
+    const auto fd =
+        fd_fpk::solve_stationary_density(problem, {.stepper = fd_fpk::StationarySolver::direct});
     ASSERT_EQ(fd.solution.status, transform::Status::ok) << fd.solution.reason;
-    expect_within_chance(mcs::solve(problem, {.time = 4e5}), fd.solution);
+    expect_within_chance(mcs::simulate_stationary_density(problem, {.time = 4e5}), fd.solution);
   }
 }
 
 TEST(SimulationAgainstFiniteVolumes, ImpactRateEqualsTheFluxAtTheWall) {
   for (const auto& problem : {tests::paper_case(1), tests::paper_case(4)}) {
-    const auto fd = fd_fpk::solve(problem, {.stepper = fd_fpk::StationarySolver::direct});
-    const auto [rate, error] = mcs::solve(problem, {.time = 4e5}).summary.impact_rate;
+    const auto fd =
+        fd_fpk::solve_stationary_density(problem, {.stepper = fd_fpk::StationarySolver::direct});
+    const auto [rate, error] =
+        mcs::simulate_stationary_density(problem, {.time = 4e5}).summary.impact_rate;
     const double flux = impact_rate(std::get<transform::GridDensity>(*fd.solution.density));
     EXPECT_NEAR(rate, flux, 4 * error) << (rate - flux) / error;
     EXPECT_LT(error, 2e-3 * rate);
@@ -82,19 +86,21 @@ TEST(SimulationAgainstFiniteVolumes, ImpactRateEqualsTheFluxAtTheWall) {
 
 TEST(SimulationAgainstFiniteVolumes, WhiteNoiseHasTheDensityOfItsEquation) {
   const auto problem = tests::make_problem({.cubic = 1, .restitution = 0.9});
-  const auto fd = fd_fpk::solve(problem, {.equation = problem::DensityEquation::white,
-                                          .stepper = fd_fpk::StationarySolver::direct});
-  expect_within_chance(
-      mcs::solve(problem, {.equation = problem::DensityEquation::white, .time = 2e5}), fd.solution);
+  const auto fd = fd_fpk::solve_stationary_density(
+      problem,
+      {.equation = problem::DensityEquation::white, .stepper = fd_fpk::StationarySolver::direct});
+  expect_within_chance(mcs::simulate_stationary_density(
+                           problem, {.equation = problem::DensityEquation::white, .time = 2e5}),
+                       fd.solution);
 }
 
 TEST(SimulationAgainstFiniteVolumes, TailsAgreeDownTo1eMinus8OfThePeak) {
   const auto problem = tests::paper_case(1);
-  const auto fd = fd_fpk::solve(
+  const auto fd = fd_fpk::solve_stationary_density(
       problem,
       {.stepper = fd_fpk::StationarySolver::direct, .nx = 90, .nv = 200, .wall_density = 1e-11});
   ASSERT_EQ(fd.solution.status, transform::Status::ok) << fd.solution.reason;
-  const auto simulated = mcs::solve(problem, {.time = 2e5, .tails = true});
+  const auto simulated = mcs::simulate_stationary_density(problem, {.time = 2e5, .tails = true});
   for (const auto& [variable, estimate] : simulated.solution.estimated_marginals) {
     const auto reference = transform::marginal(fd.solution, variable, estimate.edges);
     const double peak = *std::max_element(reference.density.begin(), reference.density.end());
@@ -105,7 +111,7 @@ TEST(SimulationAgainstFiniteVolumes, TailsAgreeDownTo1eMinus8OfThePeak) {
       // The finite volumes have an error of one or two per cent in these tails.
       const double own = reference.density[b] < 1e-5 * peak ? 0.03 * reference.density[b] : 0;
       EXPECT_NEAR(estimate.density[b], reference.density[b], 2.5 * half + own)
-          << transform::name(variable) << " " << estimate.centre(b) << ": "
+          << transform::name(variable) << " " << estimate.bin_centre(b) << ": "
           << (estimate.density[b] / reference.density[b] - 1) << " half "
           << half / reference.density[b];
       least = std::min(least, estimate.density[b]);

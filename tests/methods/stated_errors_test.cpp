@@ -33,7 +33,7 @@ Method method_without_estimate(SolutionRole role, const std::string& id = "silen
                              .equation = problem::DensityEquation::kf,
                              .impact = problem::ImpactCondition::map,
                              .role = role},
-                .solve = [](const problem::Problem& problem, const SolveContext&) {
+                .solve = [](const problem::Problem& problem, const SolverInputContext&) {
                   return solution_without_estimate(problem);
                 }};
   if (role == SolutionRole::external) {
@@ -98,7 +98,7 @@ TEST(ErrorEstimates, MustBeFinite) {
 // kLow.
 void check(const problem::Problem& problem, const Solution& solution) {
   SCOPED_TRACE(problem.name + ", " + solution.id());
-  if (!solution.is_ok()) {
+  if (!solution.has_status_ok()) {
     EXPECT_FALSE(solution.reason.empty());
     return;
   }
@@ -120,13 +120,15 @@ TEST(ErrorEstimates, ExistForEveryOkSolutionAtAnyRate) {
     scan.restitutions = {1};
   }
   const auto registry = builtin_registry();
-  auto methods = registry.select_methods(tests::is_thorough() ? "epc,fd" : "fd-white,fd-kf", {});
+  auto methods =
+      registry.methods_selected_by_list(tests::is_thorough() ? "epc,fd" : "fd-white,fd-kf", {});
   for (const auto& problem : scan.problems()) {
     for (const auto& one : run_cases({problem}, methods, 1, {})) {
       for (const auto& solution : one.solutions) check(problem, solution);
       // Frequent impulses must be solved as reliably as white noise.
       if (problem.impulses.arrival_rate() < 1e3) continue;
-      EXPECT_TRUE(transform::find_solution(one.solutions, "fd-kf")->is_ok()) << problem.name;
+      EXPECT_TRUE(transform::find_solution(one.solutions, "fd-kf")->has_status_ok())
+          << problem.name;
     }
   }
 }

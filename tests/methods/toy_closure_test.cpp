@@ -70,14 +70,15 @@ transform::Solution solve_bell(const problem::Problem& problem, const Bell& bell
                                    8 * a, 8 * b};
   transform::Solution solution{.identity = bell_identity(bell)};
   solution.status = transform::Status::ok;
-  const auto marginals = transform::quadrature_marginals(density, density.y_max, density.v_max);
+  const auto marginals =
+      transform::marginals_at_quadrature_points(density, density.y_max, density.v_max);
   solution.moments = marginals.moments;
   solution.mass = marginals.mass;
   solution.density = density;
-  solution.metrics = transform::MetricBuilder()
-                         .add_result("width.y", a)
-                         .add_result("width.ydot", b)
-                         .add_diagnostic("strokes", std::int64_t{1})
+  solution.metrics = transform::SolverMetricsBuilder()
+                         .add_result_metric("width.y", a)
+                         .add_result_metric("width.ydot", b)
+                         .add_diagnostic_metric("strokes", std::int64_t{1})
                          .take_metrics();
   return solution;
 }
@@ -94,19 +95,19 @@ methods::Solver toy_solver() {
                                         return transform::PlotStyle{.colour = "#12AB34",
                                                                     .dash = "(1,1)"};
                                       }}}};
-  return methods::with_solver_traits<Bell>(
+  return methods::registry_entry_with_solver_traits<Bell>(
       std::move(entry),
       {.description = bell_description(),
        .validate = [](const Bell& bell) { bell_description().validate(bell); },
        .identity = bell_identity,
        .options_of = bell_of,
        .solve = [](const problem::Problem& problem, const Bell& bell,
-                   const methods::SolveContext&) { return solve_bell(problem, bell); }});
+                   const methods::SolverInputContext&) { return solve_bell(problem, bell); }});
 }
 
 methods::SolverRegistry with_toy() {
   methods::SolverRegistry registry = methods::builtin_registry();
-  registry.add(toy_solver());
+  registry.add_solver(toy_solver());
   return registry;
 }
 
@@ -117,7 +118,8 @@ class ToyClosure : public testing::Test {
     static const results::Run run{
         results::current_program("fpkcheck run"),
         methods::run_cases({tests::paper_case(1)},
-                           with_toy().select_methods("toy,epc-gaussian-n2,fd-kf", {}), 1, {})};
+                           with_toy().methods_selected_by_list("toy,epc-gaussian-n2,fd-kf", {}), 1,
+                           {})};
     return run;
   }
 
@@ -138,7 +140,7 @@ TEST_F(ToyClosure, AppearsInTableFindingsAndErrorBudget) {
   EXPECT_TRUE(contains(table, "kf/map")) << table;
   ASSERT_EQ(case_.budget.size(), 6u);
   EXPECT_EQ(case_.budget[2].solution, "toy-bell-n2");
-  EXPECT_EQ(case_.budget[2].parts.front().name(), "closure");
+  EXPECT_EQ(case_.budget[2].parts.front().part_name(), "closure");
   const std::string limits = results::limiting_errors_text(case_);
   EXPECT_TRUE(contains(limits, "toy-bell-n2 and -n4")) << limits;
 }
@@ -174,7 +176,7 @@ TEST_F(ToyClosure, IsCheckedForChanges) {
   results::add_run_files(files, directory.path(), run_);
   files.commit();
   const auto baseline = check::load_baseline(directory.path(), registry_, {});
-  auto again = check::repeat_run(baseline, "fpkcheck check", 1, {});
+  auto again = check::repeat_baseline_run(baseline, "fpkcheck check", 1, {});
   EXPECT_TRUE(check::compare_runs(baseline.run, again, {}).agrees_with_baseline());
   auto& width = again.cases[0].solutions[1].metrics[0];
   ASSERT_EQ(width.path, "width.y");

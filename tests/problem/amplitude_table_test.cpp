@@ -23,13 +23,14 @@ TEST(AmplitudeTable, ReadsAtomsAndDensities) {
   const auto atoms = parse_amplitude_csv(
       "\xEF\xBB\xBF# made up\namplitude, probability\r\n-1,0.25\r\n\n3, 0.75\n", "t");
   EXPECT_EQ(amplitude_table_literal(atoms), "probability(-1:0.25,3:0.75)");
-  EXPECT_EQ(atoms.mean(), 2);
-  EXPECT_EQ(atoms.variance(), 3);
+  EXPECT_EQ(atoms.amplitude_mean(), 2);
+  EXPECT_EQ(atoms.amplitude_variance(), 3);
   const auto wedge = parse_amplitude_csv("amplitude,density\n0,2\n1,0", "t");
   EXPECT_EQ(amplitude_table_literal(wedge), "density(0:2,1:0)");
-  EXPECT_NEAR(wedge.mean(), 1 / 3.0, 1e-15);
-  EXPECT_EQ(parse_amplitude_csv("amplitude,probability\n-.2,.7\n.1,.1\n.65,.2", "t").mean(), 0);
-  EXPECT_NEAR(wedge.variance(), 1 / 18.0, 1e-15);
+  EXPECT_NEAR(wedge.amplitude_mean(), 1 / 3.0, 1e-15);
+  EXPECT_EQ(
+      parse_amplitude_csv("amplitude,probability\n-.2,.7\n.1,.1\n.65,.2", "t").amplitude_mean(), 0);
+  EXPECT_NEAR(wedge.amplitude_variance(), 1 / 18.0, 1e-15);
 }
 
 TEST(AmplitudeTable, RoundTripsAsLiteral) {
@@ -38,7 +39,7 @@ TEST(AmplitudeTable, RoundTripsAsLiteral) {
     EXPECT_EQ(amplitude_table_literal(table), text);
     EXPECT_EQ(amplitude_table_literal(table.with_negated_amplitudes().with_negated_amplitudes()),
               text);
-    EXPECT_NEAR(table.with_negated_amplitudes().mean(), -table.mean(), 1e-15);
+    EXPECT_NEAR(table.with_negated_amplitudes().amplitude_mean(), -table.amplitude_mean(), 1e-15);
   }
   // A table that was already normalised is not normalised a second time.
   const auto thirds = parse_amplitude_csv("amplitude,probability\n0,.3333\n1,.3333\n2,.3333", "t");
@@ -108,7 +109,8 @@ TEST_F(TableOfACase, IsReadBesideTheFileAndSetsMeanAndIntensity) {
   for (std::size_t k = 0; k < case_file_sections(p).size(); ++k) {
     EXPECT_EQ(case_file_sections(again)[k].values, case_file_sections(p)[k].values);
   }
-  EXPECT_EQ(parameters_text(p).find("0.25"), std::string::npos) << parameters_text(p);
+  EXPECT_EQ(non_default_parameters_text(p).find("0.25"), std::string::npos)
+      << non_default_parameters_text(p);
 }
 
 TEST_F(TableOfACase, IsShiftedAndScaledToWhatIsGiven) {
@@ -118,13 +120,13 @@ TEST_F(TableOfACase, IsShiftedAndScaledToWhatIsGiven) {
   EXPECT_EQ(shifted.impulses.amplitude_law().mean(), 0);
   EXPECT_NEAR(shifted.impulses.amplitude_law().deviation(), std::sqrt(1 / 18.0), 1e-15);
   const Problem scaled =
-      load_case(file("mine.ini"), {"impulse.intensity=8"}, CaseNaming::with_overrides);
+      load_case(file("mine.ini"), {"impulse.intensity=8"}, CaseNamingRule::with_overrides);
   EXPECT_NEAR(scaled.impulses.amplitude_law().deviation(), 2, 1e-15);
   EXPECT_NEAR(scaled.impulses.amplitude_law().skewness(),
               shifted.impulses.amplitude_law().skewness(), 1e-13);
   EXPECT_EQ(scaled.name, "mine, lambda E[Y^2] = 8");
   const Problem other = load_case(file("mine.ini"), {"impulse.table=" + std::string(tests::kAtoms)},
-                                  CaseNaming::with_overrides);
+                                  CaseNamingRule::with_overrides);
   EXPECT_TRUE(other.name.starts_with("mine, ")) << other.name;
   EXPECT_NE(other.name.find("another table"), std::string::npos) << other.name;
 }

@@ -57,7 +57,7 @@ TEST(CaseFile, OverridesReplaceAndComplete) {
 
 std::string name_of(const std::vector<std::string>& overrides, const std::string& text = kGood) {
   std::istringstream ini(text);
-  return read_case(ini, "a", "a.ini", overrides, CaseNaming::with_overrides).name;
+  return read_case(ini, "a", "a.ini", overrides, CaseNamingRule::with_overrides).name;
 }
 
 TEST(CaseFile, IsNamedByWhatTheOverridesChange) {

@@ -22,7 +22,7 @@ TEST(EffectivePotential, HasTheForceAndTheMeanOfTheImpulsesForItsSlope) {
   for (const double y : {-0.7, 0.0, 1.3}) {
     EXPECT_NEAR(slope(y), p.system.restoring_force()(y) - p.impulses.rate_times_moment(1), 1e-15);
   }
-  EXPECT_EQ(UndampedOrbits(p).potential().polynomial()->coefficients(),
+  EXPECT_EQ(UndampedOrbits(p).potential().polynomial_or_null()->coefficients(),
             effective_potential_polynomial(p).coefficients());
 }
 
@@ -83,7 +83,7 @@ TEST(EnergyAveraging, IsTheExactDensityUnderNoiseAndLinearDamping) {
   const Problem p =
       tests::with_noise(System({.damping = 0.1, .stiffness = -1, .cubic = 1}, kNone), 0.05);
   const EnergyAveraging averaging(p);
-  ASSERT_FALSE(averaging.unconfined_reason());
+  ASSERT_FALSE(averaging.reason_for_unconfined_motion());
   double total = 0;
   for (const auto& band : averaging.energy_bands()) {
     // The tolerance is half the width of a band.

@@ -47,7 +47,7 @@ TEST(ImpulseTrain, MirroredTwiceIsItself) {
           << name;
     }
     // The mirrored parameters describe the mirrored law.
-    const ImpulseTrain again(mirrored.parameters());
+    const ImpulseTrain again(mirrored.impulse_parameters());
     EXPECT_NEAR(again.rate_times_moment(3), mirrored.rate_times_moment(3), 1e-15) << name;
   }
 }

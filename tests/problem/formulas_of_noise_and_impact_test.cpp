@@ -17,7 +17,7 @@ namespace {
 
 Problem case_of_formulas(const std::string& text) {
   std::istringstream ini(text);
-  return read_case(ini, "a", "a.ini", {}, CaseNaming::with_overrides);
+  return read_case(ini, "a", "a.ini", {}, CaseNamingRule::with_overrides);
 }
 std::string refusal_of_formulas(const std::string& text) {
   return tests::refusal([&] { case_of_formulas(text); });
@@ -50,7 +50,7 @@ TEST(NoiseFactor, OfTheDisplacementChangesNoForce) {
       case_of_formulas(kLinearSpring + "[wall]\nnone = true\n[noise]\nintensity = 0.2\n" +
                        "factor = sqrt(1+y^2)\ninterpretation = stratonovich\n");
   EXPECT_TRUE(p.system.has_polynomial_force());
-  EXPECT_NEAR(p.noise_factor->squared(2, 1), 5, 1e-15);
+  EXPECT_NEAR(p.noise_factor->squared_factor(2, 1), 5, 1e-15);
   EXPECT_FALSE(polynomial_method_unsupported_reason(p).empty());
 }
 
@@ -82,19 +82,21 @@ TEST(NoiseFactor, IsTransformedToWallCoordinates) {
   ASSERT_NEAR(y, -0.2, 1e-15);
   ASSERT_NEAR(physical_v, 0.4, 1e-15);
   EXPECT_NEAR((*seen.noise_factor)(x, v), (*p.noise_factor)(y, physical_v), 1e-15);
-  EXPECT_NEAR(seen.noise_factor->square_slope_in_v(x, v),
-              -p.noise_factor->square_slope_in_v(y, physical_v), 1e-15);
+  EXPECT_NEAR(seen.noise_factor->squared_factor_slope_in_v(x, v),
+              -p.noise_factor->squared_factor_slope_in_v(y, physical_v), 1e-15);
   EXPECT_NEAR(seen.system.force(x, v), -p.system.force(y, physical_v), 1e-15);
 }
 
 // Damping d(H) = 0.1 + 0.1 H and G = 1 + H/2: exp(-Phi) is the exact density (1 + H/2) exp(-2H) in
 // Ito's sense, and (1 + H/2)^(3/2) exp(-2H) in Stratonovich's.
 TEST(NoiseFactor, HasTheExactLawOfTheEnergyByAveraging) {
-  for (const bool is_ito : {true, false}) {
-    const EnergyAveraging averaging(
-        case_of_formulas(kEnergyDamping + kFactor + (is_ito ? "ito" : "stratonovich")));
-    ASSERT_FALSE(averaging.unconfined_reason());
-    const auto exact = [&](double h) { return 2 * h - (is_ito ? 1 : 1.5) * std::log(1 + h / 2); };
+  for (const bool is_force_in_ito_sense : {true, false}) {
+    const EnergyAveraging averaging(case_of_formulas(
+        kEnergyDamping + kFactor + (is_force_in_ito_sense ? "ito" : "stratonovich")));
+    ASSERT_FALSE(averaging.reason_for_unconfined_motion());
+    const auto exact = [&](double h) {
+      return 2 * h - (is_force_in_ito_sense ? 1 : 1.5) * std::log(1 + h / 2);
+    };
     const auto& bands = averaging.energy_bands();
     for (const auto& band : bands) {
       EXPECT_NEAR(band.potential - bands.front().potential,

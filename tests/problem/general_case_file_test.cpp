@@ -12,7 +12,7 @@ namespace {
 
 Problem general_case(const std::string& text, const std::vector<std::string>& overrides = {}) {
   std::istringstream ini(text);
-  return read_case(ini, "a", "a.ini", overrides, CaseNaming::with_overrides);
+  return read_case(ini, "a", "a.ini", overrides, CaseNamingRule::with_overrides);
 }
 
 std::string refusal_of(const std::string& text) {
@@ -39,14 +39,14 @@ TEST(GeneralCaseFile, ReadsEveryKey) {
   EXPECT_EQ(p.system.right_wall(), (Wall{3, 0.8}));
   EXPECT_EQ(p.noise.intensity, 0.2);
   EXPECT_NEAR(total_excitation_intensity(p), 0.7, 1e-15);
-  EXPECT_EQ(parameters_text(p),
+  EXPECT_EQ(non_default_parameters_text(p),
             "c = -1, c_yy = 2, c_vv = 3, g0 = 4, k = 5, k2 = 6, mu = 7, k5 = 8, a = -2, r_a = 0.7, "
             "b = 3, r_b = 0.8; gaussian impulses, lambda = 4, lambda E[Y^2] = 0.5, 2D = 0.2");
 }
 
 TEST(GeneralCaseFile, ExcitationMayBeImpulsesOrNoiseOrBoth) {
-  EXPECT_FALSE(general_case(kWells + kNoWall + kNoise).impulses.is_present());
-  EXPECT_FALSE(general_case(kWells + kNoWall + kImpulses).noise.is_present());
+  EXPECT_FALSE(general_case(kWells + kNoWall + kNoise).impulses.is_acting());
+  EXPECT_FALSE(general_case(kWells + kNoWall + kImpulses).noise.is_acting());
   EXPECT_NE(refusal_of(kWells + kNoWall).find("nothing excites the oscillator"), std::string::npos);
   EXPECT_NE(refusal_of(kWells + kNoWall + "[impulse]\nrate = 1\n").find("'impulse.law' is missing"),
             std::string::npos);
@@ -57,7 +57,7 @@ TEST(GeneralCaseFile, SectionsRoundTrip) {
        {kWells + kNoWall + kNoise, kWells + kNoWall + kImpulses,
         kWells + "[wall]\nright = 3\nright_restitution = 0.8\n" + kNoise}) {
     const Problem p = general_case(text), again = problem_from_sections("a", case_file_sections(p));
-    EXPECT_EQ(parameters_text(again), parameters_text(p));
+    EXPECT_EQ(non_default_parameters_text(again), non_default_parameters_text(p));
     EXPECT_EQ(again.system.wall_parameters(), p.system.wall_parameters());
     EXPECT_EQ(total_excitation_intensity(again), total_excitation_intensity(p));
   }
@@ -108,7 +108,7 @@ TEST(GeneralCaseFile, SectionsKeepFormulaAndConstants) {
   EXPECT_EQ(all[0].values.size(), 1u);
   EXPECT_EQ(all[1].name, "parameters");
   const Problem again = problem_from_sections("a", all);
-  EXPECT_EQ(parameters_text(again), parameters_text(p));
+  EXPECT_EQ(non_default_parameters_text(again), non_default_parameters_text(p));
   EXPECT_EQ(again.system.coefficients().damping, 0.1);
 }
 
@@ -205,8 +205,8 @@ TEST(GeneralCaseFile, AcceptsForcesThatConfineOnAverage) {
 }
 
 TEST(ExampleSystems, HaveExpectedFeatures) {
-  ASSERT_GE(example_systems().size(), 12u);
-  for (const auto& named : example_systems()) {
+  ASSERT_GE(example_oscillator_cases().size(), 12u);
+  for (const auto& named : example_oscillator_cases()) {
     const Problem p = load_case(named.name);
     EXPECT_EQ(p.name, named.name);
     EXPECT_FALSE(has_equivalent_linearisation(p)) << p.name;

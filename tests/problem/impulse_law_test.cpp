@@ -50,8 +50,9 @@ std::complex<double> expectation(const ImpulseLaw& law,
                                  const std::function<std::complex<double>(double)>& f) {
   constexpr int kPanels = 40;
   std::complex<double> sum = 0;
-  for (const auto& [amplitude, probability] : law.atoms()) sum += probability * f(amplitude);
-  const auto pieces = law.density_breakpoints();
+  for (const auto& [amplitude, probability] : law.amplitude_atoms())
+    sum += probability * f(amplitude);
+  const auto pieces = law.amplitude_density_breakpoints();
   for (std::size_t n = 0; n + 1 < pieces.size(); ++n) {
     const double width = (pieces[n + 1] - pieces[n]) / kPanels;
     for (int panel = 0; panel < kPanels; ++panel) {
@@ -103,7 +104,7 @@ TEST(ImpulseLaw, CharacteristicAndGeneratingFunctionsAreThoseOfDensityAndAtoms) 
 // P(Y <= y) increases over each piece by the integral of the density, from nearly 0 to nearly 1.
 TEST(ImpulseLaw, CumulativeIsTheIntegralOfTheDensity) {
   for (const auto& law : kLaws) {
-    const auto pieces = law.density_breakpoints();
+    const auto pieces = law.amplitude_density_breakpoints();
     if (pieces.empty()) continue;
     EXPECT_NEAR(law.cumulative_probability(pieces.front()), 0, 1e-17) << label(law);
     EXPECT_NEAR(law.cumulative_probability(pieces.back()), 1, 1e-15) << label(law);
@@ -136,7 +137,7 @@ TEST(ImpulseLaw, TheMirroredLawIsThatOfTheOtherSign) {
     }
     for (const double y : {-1.0, -0.2, 0.0, 0.123, 0.7}) {
       EXPECT_NEAR(mirrored.density(y), law.density(-y), 1e-14) << label(law);
-      if (law.atoms().empty()) {
+      if (law.amplitude_atoms().empty()) {
         EXPECT_NEAR(mirrored.cumulative_probability(y), 1 - law.cumulative_probability(-y), 1e-14)
             << label(law);
       }
@@ -148,7 +149,8 @@ TEST(ImpulseLaw, TheMirroredLawIsThatOfTheOtherSign) {
     EXPECT_LT(std::abs(exact::characteristic_function(mirrored, 1.7) -
                        std::conj(exact::characteristic_function(law, 1.7))),
               1e-15);
-    EXPECT_EQ(mirrored.with_negated_amplitudes().density_breakpoints(), law.density_breakpoints());
+    EXPECT_EQ(mirrored.with_negated_amplitudes().amplitude_density_breakpoints(),
+              law.amplitude_density_breakpoints());
   }
 }
 
@@ -224,12 +226,12 @@ TEST(ImpulseLaw, HasClosedFormMoments) {
 
 TEST(ImpulseLaw, DensityIsNegligibleOutsideItsSmoothPieces) {
   for (const auto& law : kLaws) {
-    const auto pieces = law.density_breakpoints();
+    const auto pieces = law.amplitude_density_breakpoints();
     if (pieces.empty()) {
-      EXPECT_EQ(law.density(law.atoms().front().amplitude), 0.0);
+      EXPECT_EQ(law.density(law.amplitude_atoms().front().amplitude), 0.0);
       continue;
     }
-    EXPECT_TRUE(law.atoms().empty());
+    EXPECT_TRUE(law.amplitude_atoms().empty());
     EXPECT_LT(law.density(std::nextafter(pieces.front(), -HUGE_VAL)), 1e-17) << label(law);
     EXPECT_LT(law.density(std::nextafter(pieces.back(), HUGE_VAL)), 1e-17) << label(law);
   }

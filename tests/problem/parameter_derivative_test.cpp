@@ -13,7 +13,7 @@ namespace {
 
 // Returns the difference quotient of a function of the problem.
 template <class Function>
-double quotient(const ParameterDerivative& derivative, const Function& f) {
+double quotient(const ParameterDifferenceQuotient& derivative, const Function& f) {
   double sum = 0;
   for (const auto& [weight, problem] : derivative.terms) sum += weight * f(problem);
   return sum;
@@ -22,7 +22,7 @@ double quotient(const ParameterDerivative& derivative, const Function& f) {
 TEST(ParameterDerivative, IsOfSecondOrderAlsoAtAnEndOfTheRange) {
   for (const double restitution : {0.9, 1.0}) {
     const Problem p = tests::make_problem({.restitution = restitution});
-    const auto derivative = parameter_derivative(p, "system.restitution", 1e-3);
+    const auto derivative = parameter_difference_quotient(p, "system.restitution", 1e-3);
     EXPECT_EQ(derivative.value, restitution);
     EXPECT_EQ(derivative.terms.size(), restitution < 1 ? 2u : 3u);
     const auto r = [](const Problem& one) { return *one.system.coefficients().restitution; };
@@ -34,7 +34,7 @@ TEST(ParameterDerivative, IsOfSecondOrderAlsoAtAnEndOfTheRange) {
 }
 
 TEST(ParameterDerivative, ToTheRateKeepsTheIntensity) {
-  const auto derivative = parameter_derivative(tests::paper_case(1), "impulse.rate", 1e-3);
+  const auto derivative = parameter_difference_quotient(tests::paper_case(1), "impulse.rate", 1e-3);
   EXPECT_NEAR(quotient(derivative, [](const Problem& p) { return p.impulses.intensity(); }), 0,
               1e-10);
   // E[Y^2] = intensity / rate
@@ -54,8 +54,8 @@ TEST(ParameterDerivative, HasAllNumbersOfTheCaseButPositionsOfWalls) {
   const auto keys = differentiable_parameters(gap);
   EXPECT_EQ(std::ranges::count(keys, "wall.left"), 0);
   EXPECT_EQ(std::ranges::count(keys, "wall.left_restitution"), 1);
-  EXPECT_THROW(parameter_derivative(gap, "wall.left", 1e-3), InputError);
-  EXPECT_THROW(parameter_derivative(gap, "system.nothing", 1e-3), InputError);
+  EXPECT_THROW(parameter_difference_quotient(gap, "wall.left", 1e-3), InputError);
+  EXPECT_THROW(parameter_difference_quotient(gap, "system.nothing", 1e-3), InputError);
 }
 
 }  // namespace

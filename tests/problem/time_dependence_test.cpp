@@ -17,9 +17,9 @@ const std::string kLinear = "[system]\ndamping = 0.1\nstiffness = 1\n[wall]\nnon
 const std::string kImpulses = "[impulse]\nrate = 2\nlaw = laplace\nintensity = 0.4\n";
 const std::string kNoise = "[noise]\nintensity = 0.2\n";
 
-Problem read(const std::string& text, TimeSection time = TimeSection::allowed) {
+Problem read(const std::string& text, TimeSectionPolicy time = TimeSectionPolicy::allowed) {
   std::istringstream file(text);
-  return read_case(file, "a", "a.ini", {}, CaseNaming::from_file, time);
+  return read_case(file, "a", "a.ini", {}, CaseNamingRule::from_file, time);
 }
 
 TEST(TimeDependence, IsReadFromACaseFile) {
@@ -29,21 +29,22 @@ TEST(TimeDependence, IsReadFromACaseFile) {
                          "force = 0.3*cos(w*t)\n");
   EXPECT_DOUBLE_EQ(p.time.rate_factor(0.7), 1 + 0.5 * std::sin(1.4));
   EXPECT_DOUBLE_EQ(p.time.intensity_factor(0.7), std::exp(-0.7));
-  EXPECT_DOUBLE_EQ(p.time.force(0.7), 0.3 * std::cos(1.4));
-  const Problem again = problem_from_sections("a", case_file_sections(p), TimeSection::allowed);
-  EXPECT_DOUBLE_EQ(again.time.force(0.7), p.time.force(0.7));
+  EXPECT_DOUBLE_EQ(p.time.external_force(0.7), 0.3 * std::cos(1.4));
+  const Problem again =
+      problem_from_sections("a", case_file_sections(p), TimeSectionPolicy::allowed);
+  EXPECT_DOUBLE_EQ(again.time.external_force(0.7), p.time.external_force(0.7));
 }
 
 TEST(TimeDependence, OfAConstantExcitationIsAbsent) {
   const Problem p = read(kLinear + kImpulses);
-  EXPECT_FALSE(p.time.is_present());
+  EXPECT_FALSE(p.time.is_acting());
   EXPECT_EQ(p.time.rate_factor(3), 1);
   EXPECT_EQ(p.time.intensity_factor(3), 1);
-  EXPECT_EQ(p.time.force(3), 0);
+  EXPECT_EQ(p.time.external_force(3), 0);
 }
 
 TEST(TimeDependence, HasNoStationaryDensity) {
-  EXPECT_THROW(read(kLinear + kImpulses + "[time]\nforce = cos(t)\n", TimeSection::refused),
+  EXPECT_THROW(read(kLinear + kImpulses + "[time]\nforce = cos(t)\n", TimeSectionPolicy::refused),
                InputError);
 }
 
@@ -132,7 +133,7 @@ TEST(TimeDependence, ForceHasTheOppositeSignInMirroredCoordinates) {
   const Problem p = read(
       "[system]\ndamping = 0.1\nstiffness = 1\n[wall]\nright = 0.5\nright_restitution = 0.9\n" +
       kNoise + "[time]\nforce = 2\n");
-  EXPECT_EQ(to_wall_coordinates(wall_frame(p.system), p).time.force(1), -2);
+  EXPECT_EQ(to_wall_coordinates(wall_frame(p.system), p).time.external_force(1), -2);
 }
 
 // The response of a linear oscillator to F_0 cos(w t) below the resonance, from rest.

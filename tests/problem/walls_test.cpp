@@ -130,7 +130,7 @@ TEST(WallFrame, OfAProblemInItsFrameChangesNothing) {
 
 TEST(WallFrame, InverseRoundTrips) {
   for (const WallFrame frame : {WallFrame{-0.5, false}, WallFrame{2, true}, WallFrame{}}) {
-    const WallFrame back = frame.inverse();
+    const WallFrame back = frame.inverse_frame();
     for (const double x : {0.0, 0.3, 1.7}) {
       EXPECT_NEAR(back.physical_y(frame.physical_y(x)), x, 1e-15);
       EXPECT_NEAR(back.wall_x(x), frame.physical_y(x), 1e-15);

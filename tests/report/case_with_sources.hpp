@@ -25,12 +25,13 @@ inline results::CaseResult case_with_sources(const std::string& equation = "fd-k
   for (const auto& [id, size] : {std::pair{"epc-gaussian-n6", 1.0}, std::pair{"fd-kf", 1e-3}}) {
     case_result.moment_error_estimates.push_back({id, {}, {.y2 = 1e-3 * size, .v2 = -2e-3 * size}});
     for (const auto& [moment, error] : {std::pair{"y2", 1e-3}, std::pair{"v2", -2e-3}}) {
-      results::ErrorSource source{id, moment, case_result.joints.front().density};
+      results::MomentErrorSource source{id, moment, case_result.joints.front().density};
       auto& map = source.density;
-      map.averages.assign(map.ny() * map.nv(), 0);
-      const double area = map.y_edges[1] * map.v_edges.back() * 2 / static_cast<double>(map.nv());
-      map.averages[map.nv() / 2] = 2 * error * size / area;
-      map.averages[map.nv() / 2 - 1] = -error * size / area;
+      map.averages.assign(map.y_cell_count() * map.v_cell_count(), 0);
+      const double area =
+          map.y_edges[1] * map.v_edges.back() * 2 / static_cast<double>(map.v_cell_count());
+      map.averages[map.v_cell_count() / 2] = 2 * error * size / area;
+      map.averages[map.v_cell_count() / 2 - 1] = -error * size / area;
       case_result.error_sources.push_back(source);
     }
   }

@@ -62,7 +62,7 @@ TEST(Findings, StateErrorsMeasuredWithControlVariates) {
     if (pair.l1_standard_error) pair.l1_standard_error = 5e-7;
   }
   solution_of(case_result, "fd-kf").error = {.y_l1 = 2.8e-5, .ydot_l1 = 2.3e-5};
-  case_result.assess();
+  case_result.update_assessment();
   const std::string words = "measured by the simulation (mcs)";
   EXPECT_EQ(sentence_with(case_result, words),
             "The full jump equation (fd-kf) has an L1 error of 2.7e-05 +- 5e-07 in p(y) (estimate "
@@ -71,7 +71,7 @@ TEST(Findings, StateErrorsMeasuredWithControlVariates) {
   EXPECT_EQ(sentence_with(case_result, "differ by"), "");
   // The error exceeds 1.25 times its estimate by more than the sampling error.
   solution_of(case_result, "fd-kf").error = {.y_l1 = 2.8e-5, .ydot_l1 = 1.2e-5};
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_TRUE(contains(sentence_with(case_result, words), "(mcs): larger than the estimate."));
   // A distance below three sampling errors is not significant.
   set_l1(case_result, "fd-kf", "mcs", 8e-6, 2.36e-5);
@@ -81,7 +81,7 @@ TEST(Findings, StateErrorsMeasuredWithControlVariates) {
       << sentence_with(case_result, words);
   // With a smaller error estimate than that of the simulation, fd-kf is the reference.
   solution_of(case_result, "fd-kf").error = {.y_l1 = 1e-8, .ydot_l1 = 1e-8};
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_EQ(sentence_with(case_result, "measured by"), "");
   EXPECT_TRUE(contains(sentence_with(case_result, "differ by"), "the densities disagree"));
 }
@@ -180,7 +180,7 @@ TEST(Findings, CallNoClosureCloseAboveTheStatedDistance) {
 TEST(Findings, StateTheDiscretisationError) {
   auto case_result = made_up_case();
   solution_of(case_result, "fd-kf").error = {2.8e-5, 2.5e-5, {.y2 = 1.3e-6, .v2 = 2.4e-6}};
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_EQ(sentence_with(case_result, "discretisation error"),
             "");  // the error budget contains the error
   case_result.budget.clear();
@@ -188,7 +188,7 @@ TEST(Findings, StateTheDiscretisationError) {
             "The discretisation error of fd-kf, by its own estimate: L1 2.8e-05 in p(y) and "
             "2.5e-05 in p(y'), 1e-06 in E[y^2] and 2e-06 in E[y'^2].");
   solution_of(case_result, "fd-km4").error = {3e-5, 1e-5, {.y2 = 4e-6, .v2 = 1e-6}};
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_EQ(sentence_with(case_result, "discretisation error"),
             "The discretisation errors of fd-km4, fd-kf, by their own estimate: at most L1 3e-05 "
             "in p(y) and 2.5e-05 in p(y'), 4e-06 in E[y^2] and 2e-06 in E[y'^2].");
@@ -197,8 +197,8 @@ TEST(Findings, StateTheDiscretisationError) {
 TEST(Findings, StateTheSamplingError) {
   auto case_result = made_up_case();
   auto& mcs = solution_of(case_result, "mcs");
-  mcs.sampling = transform::SamplingError{.y = 3e-3, .ydot = 2e-3};
-  mcs.standard_errors = transform::StandardErrors{.moments = {.y2 = 4e-4, .v2 = 5e-4}};
+  mcs.sampling = transform::MarginalSamplingErrors{.y = 3e-3, .ydot = 2e-3};
+  mcs.standard_errors = transform::MomentStandardErrors{.moments = {.y2 = 4e-4, .v2 = 5e-4}};
   EXPECT_EQ(sentence_with(case_result, "The sampling error of"),
             "");  // the error budget contains it
   case_result.budget.clear();
@@ -215,7 +215,7 @@ TEST(Findings, UseOnlyAvailableSolutionsThatAreOk) {
   }
   solution_of(case_result, "fd-white").status = Status::failed;
   solution_of(case_result, "mcs").sampling.reset();
-  case_result.assess();
+  case_result.update_assessment();
   const auto sentences = finding_sentences(case_result);
   ASSERT_EQ(sentences.size(), 4u);
   EXPECT_EQ(sentences[0], "Reference: mcs.");
@@ -224,12 +224,12 @@ TEST(Findings, UseOnlyAvailableSolutionsThatAreOk) {
   EXPECT_FALSE(contains(sentences[3], "sampling")) << sentences[3];
 
   case_result.solutions.erase(case_result.solutions.begin() + 4, case_result.solutions.end());
-  case_result.assess();
+  case_result.update_assessment();
   ASSERT_EQ(finding_sentences(case_result).size(), 1u);
   EXPECT_TRUE(finding_sentences(case_result)[0].starts_with("There is no reference"))
       << finding_sentences(case_result)[0];
   case_result.solutions.resize(1);
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_TRUE(finding_sentences(case_result).empty());
 }
 
@@ -257,7 +257,7 @@ TEST(Findings, StateDistancesOfAFileToFullProblemSolutions) {
   // Combined sampling errors of the file and the simulation (0.0011, 0.0015); the 99 % quantile is
   // twice the expectation.
   solution_of(case_result, "epc-gaussian-n2").sampling = {.y = 0.0011, .ydot = 0.002};
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_EQ(
       sentence_with(case_result, "from the simulation"),
       to_mcs +
@@ -278,7 +278,7 @@ TEST(Findings, AssessAFileInItsMarginalsOnly) {
     return pair.a == "epc-gaussian-n2" && pair.variable == transform::StateVariable::ydot;
   });
   solution_of(case_result, "epc-gaussian-n2").sampling = {.y = 0.0011};
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_EQ(sentence_with(case_result, "from the simulation"),
             "epc-gaussian-n2 differs from the simulation (mcs) by L1 0.003 in p(y); its standard "
             "errors and those of mcs account for about 0.0016 in p(y); all errors explain up to "
@@ -288,16 +288,18 @@ TEST(Findings, AssessAFileInItsMarginalsOnly) {
 TEST(Findings, HaveTheNotesOfSolvers) {
   auto case_result = made_up_case();
   auto& metrics = solution_of(case_result, "epc-gaussian-n2").metrics;
-  metrics = transform::MetricBuilder()
-                .add_text("files[0].file", std::string("/data/lab.csv"))
-                .add_text("files[0].notes[0]", std::string("sorted"))
-                .add_text("files[0].notes[1]", std::string("2 rows were left out"))
+  metrics = transform::SolverMetricsBuilder()
+                .add_text_metric("files[0].file", std::string("/data/lab.csv"))
+                .add_text_metric("files[0].notes[0]", std::string("sorted"))
+                .add_text_metric("files[0].notes[1]", std::string("2 rows were left out"))
                 .add_empty_list("files[1].notes")
-                .add_text("keynotes[0]", std::string("no note"))
+                .add_text_metric("keynotes[0]", std::string("no note"))
                 .take_metrics();
   EXPECT_EQ(finding_sentences(case_result).back(),
             "Note on lab.csv: sorted; 2 rows were left out.");
-  metrics = transform::MetricBuilder().add_text("notes[0]", std::string("by hand")).take_metrics();
+  metrics = transform::SolverMetricsBuilder()
+                .add_text_metric("notes[0]", std::string("by hand"))
+                .take_metrics();
   EXPECT_EQ(finding_sentences(case_result).back(), "Note on epc-gaussian-n2: by hand.");
 }
 

@@ -61,14 +61,15 @@ TEST(Legend, ExplainsTheColumnsThatAreShownAndNoOther) {
 }
 
 TEST(Legend, OfABudgetExplainsEveryLinkOfTheChain) {
-  TextColumn names{"", "error budget", true, kAlwaysShown, {"toy"}};
+  TextTableColumn names{"", "error budget", true, kAlwaysShown, {"toy"}};
   for (const auto& [link, name, meaning] : compare::kApproximationNames) {
-    const TextColumn part{"L1 of p(y)", budget_part_header(std::string(name)), false, 1, {"0.1"}};
+    const TextTableColumn part{
+        "L1 of p(y)", budget_part_header(std::string(name)), false, 1, {"0.1"}};
     const std::string text = budget_table_legend({names, part});
     EXPECT_TRUE(contains(text, fmt::format("; {}: {}", part.header, meaning))) << text;
   }
   // Each of several approximations that share a column.
-  const TextColumn shared{"L1 of p(y)", "closure + truncation", false, 1, {"0.1"}};
+  const TextTableColumn shared{"L1 of p(y)", "closure + truncation", false, 1, {"0.1"}};
   const std::string text = budget_table_legend({names, shared});
   EXPECT_TRUE(contains(text, "; closure: ") && contains(text, "; trunc.: ")) << text;
   EXPECT_EQ(budget_table_legend({}), "");

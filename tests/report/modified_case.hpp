@@ -23,7 +23,7 @@ inline void set_l1(results::CaseResult& case_result, const std::string& a, const
       pair.distances.l1 = pair.variable == transform::StateVariable::y ? y : ydot;
     }
   }
-  case_result.assess();
+  case_result.update_assessment();
 }
 
 /// The case with only its first `count` solutions and their comparisons.

@@ -86,7 +86,7 @@ results::CaseResult with_not_offered() {
     solution.reason = "this wall is not supported";
     solution.density.reset();
   }
-  case_result.assess();
+  case_result.update_assessment();
   return case_result;
 }
 

@@ -100,7 +100,7 @@ TEST(Report, OfAnOlderRunWithoutBudgetIdentityOrJointDensitiesIsMade) {
                 .equation = identity.equation,
                 .impact = identity.impact};
   }
-  case_result.assess();
+  case_result.update_assessment();
   const auto again = rebuild_report(directory.path(), run);
   EXPECT_TRUE(tests::contains(again.text, "There is no reference")) << again.text;
   EXPECT_TRUE(fs::is_regular_file(directory.path() / "report.html"));

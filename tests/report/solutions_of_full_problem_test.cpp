@@ -21,20 +21,20 @@ TEST(References, AreTheFullProblemSolutionsReferenceFirst) {
   EXPECT_EQ(ids(case_result),
             (std::vector<std::string>{"mcs", "fd-kf"}));  // fd-kf has no error estimate
   solution_of(case_result, "fd-kf").error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_EQ(ids(case_result), (std::vector<std::string>{"fd-kf", "mcs"}));
   solution_of(case_result, "fd-kf").status = transform::Status::failed;
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_EQ(ids(case_result), (std::vector<std::string>{"mcs"}));
   solution_of(case_result, "mcs").status = transform::Status::failed;
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_TRUE(solutions_of_full_problem(case_result).empty());
 }
 
 TEST(ReferenceText, StatesTheReferenceAndItsErrorEstimate) {
   auto case_result = made_up_case();
   solution_of(case_result, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5};
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_EQ(describe_reference(case_result),
             "Reference: fd-kf, the solution with the smallest error estimate (L1 2e-05 in p(y), "
             "3e-05 in p(y')).");

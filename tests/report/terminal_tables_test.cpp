@@ -19,7 +19,8 @@ using tests::made_up_case;
 using tests::set_l1;
 using tests::solution_of;
 
-std::string table_of(const results::CaseResult& case_result, const TextFormat& format = {}) {
+std::string table_of(const results::CaseResult& case_result,
+                     const TerminalTextFormat& format = {}) {
   return terminal_tables_text({results::current_program("fpkcheck run"), {case_result}}, format);
 }
 
@@ -102,7 +103,7 @@ TEST(Table, PutsTheReferenceFirstAndKeepsItWhereThereIsLittleRoom) {
   const auto before = table_of(case_result, 100);
   EXPECT_LT(before.find("L1 to mcs"), before.find("L1 to fd-kf"));
   solution_of(case_result, "fd-kf").error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
-  case_result.assess();
+  case_result.update_assessment();
   const auto after = table_of(case_result, 100);
   EXPECT_LT(after.find("L1 to fd-kf"), after.find("L1 to mcs"));
   EXPECT_TRUE(contains(headers_of(table_of(case_result, 80)), "L1 to fd-kf"));

@@ -216,7 +216,8 @@ std::vector<transform::Solution> solutions_with_histogram() {
 TEST(JointDensities, HaveTheOrderOfTheSolutions) {
   const auto found = [](const std::vector<transform::Solution>& solutions) {
     std::string ids;
-    for (const auto& joint : make_joint_densities(kAxes, solutions)) ids += joint.solution + ' ';
+    for (const auto& joint : joint_densities_on_comparison_cells(kAxes, solutions))
+      ids += joint.solution + ' ';
     return ids;
   };
   const std::string all = "epc-gaussian-n2 epc-gaussian-n4 epc-gaussian-n6 fd-white fd-km4 fd-kf ";
@@ -228,8 +229,8 @@ TEST(JointDensities, HaveMassOneAndTheMarginalsOfTheRun) {
   const auto one = tests::made_up_case();
   constexpr double kSinglePrecision = 6e-8;
   for (const auto& [solution, density] : one.joints) {
-    ASSERT_EQ(density.ny(), 70u);
-    ASSERT_EQ(density.nv(), 140u);
+    ASSERT_EQ(density.y_cell_count(), 70u);
+    ASSERT_EQ(density.v_cell_count(), 140u);
     EXPECT_NEAR(mass(density), 1, 1e-6) << solution;
     for (const auto variable : transform::kVariables) {
       const auto& bins = variable == StateVariable::y ? density.y_edges : density.v_edges;
@@ -245,7 +246,7 @@ TEST(JointDensities, HaveMassOneAndTheMarginalsOfTheRun) {
 
 TEST(JointDensities, OfASimulationSumItsCells) {
   const auto solutions = solutions_with_histogram();
-  const auto joint = make_joint_densities(kAxes, solutions).back();
+  const auto joint = joint_densities_on_comparison_cells(kAxes, solutions).back();
   ASSERT_EQ(joint.solution, "mcs");
   const auto& histogram = std::get<transform::GridDensity>(*solutions.back().density);
   for (const auto& [i, j] : {std::pair{0, 0}, {3, 69}, {3, 70}, {69, 139}}) {

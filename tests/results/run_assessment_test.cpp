@@ -17,8 +17,8 @@ TEST(AgreementRows, HaveEverySolutionOnceInTheOrderOfTrust) {
   auto first = made_up_case("a"), second = made_up_case("b");
   std::erase_if(first.solutions, [](const auto& s) { return s.id() == "fd-km4"; });
   std::erase_if(second.solutions, [](const auto& s) { return s.id() == "fd-white"; });
-  first.assess();
-  second.assess();
+  first.update_assessment();
+  second.update_assessment();
   const results::Run run{{}, {first, second}};
   std::vector<std::string> ids;
   for (const auto& row : assess_run(run).rows) ids.push_back(row.identity->id);
@@ -29,7 +29,7 @@ TEST(AgreementRows, HaveEverySolutionOnceInTheOrderOfTrust) {
   EXPECT_EQ(ids.back(), "mcs");
   const auto white = assess_run(run).rows[static_cast<std::size_t>(at("fd-white"))];
   EXPECT_EQ(white.case_count(), 1);
-  EXPECT_EQ(white.entries[1].agreement, compare::Agreement::absent);
+  EXPECT_EQ(white.entries[1].agreement, compare::AgreementWithReference::absent);
 }
 
 TEST(AgreementRows, HaveTheLargestDistanceOverCases) {
@@ -39,12 +39,12 @@ TEST(AgreementRows, HaveTheLargestDistanceOverCases) {
   const results::Run run{{}, {first, second}};
   for (const auto& row : assess_run(run).rows) {
     if (row.identity->id == "epc-gaussian-n6") {
-      EXPECT_DOUBLE_EQ(*row.largest_l1_of_marginal(&AgreementInCase::y), 0.005);
-      EXPECT_DOUBLE_EQ(*row.largest_l1_of_marginal(&AgreementInCase::ydot), 0.004);
-      EXPECT_DOUBLE_EQ(*row.largest_l1(), 0.005);
+      EXPECT_DOUBLE_EQ(*row.largest_l1_of_marginal(&SolutionAgreementInCase::y), 0.005);
+      EXPECT_DOUBLE_EQ(*row.largest_l1_of_marginal(&SolutionAgreementInCase::ydot), 0.004);
+      EXPECT_DOUBLE_EQ(*row.largest_l1_distance(), 0.005);
     }
     if (row.identity->id == "epc-gaussian-n4") {
-      EXPECT_FALSE(row.largest_l1());
+      EXPECT_FALSE(row.largest_l1_distance());
     }
   }
 }

@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using tests::contains;
-using transform::MetricBuilder;
-using transform::MetricKind;
+using transform::SolverMetricKind;
+using transform::SolverMetricsBuilder;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -46,25 +46,26 @@ results::Run full_run() {
   results::Run run = tests::made_up_run();
   auto& solutions = run.cases[0].solutions;
   solutions[0].options = {{"order", std::int64_t{2}}, {"tail", std::string("cut")}, {"nx", {}}};
-  solutions[0].metrics = MetricBuilder()
-                             .add_result("order", std::int64_t{2})
-                             .add_diagnostic("iterations", std::int64_t{7})
-                             .add_result("coefficients[0].x1", std::int64_t{2})
-                             .add_result("coefficients[0].a", -0.25)
-                             .add_result("coefficients[1].x1", std::int64_t{0})
-                             .add_result("support.edge_density", 1e-9)
-                             .add_result("branch", {})
-                             .add_text("leading_form", std::string("negative"))
-                             .add_result("falls", true)
+  solutions[0].metrics = SolverMetricsBuilder()
+                             .add_result_metric("order", std::int64_t{2})
+                             .add_diagnostic_metric("iterations", std::int64_t{7})
+                             .add_result_metric("coefficients[0].x1", std::int64_t{2})
+                             .add_result_metric("coefficients[0].a", -0.25)
+                             .add_result_metric("coefficients[1].x1", std::int64_t{0})
+                             .add_result_metric("support.edge_density", 1e-9)
+                             .add_result_metric("branch", {})
+                             .add_text_metric("leading_form", std::string("negative"))
+                             .add_result_metric("falls", true)
                              .add_empty_list("branches")
                              .take_metrics();
   solutions[6].error = {.y_l1 = 1e-5, .ydot_l1 = 2e-5, .moments = {1, 2, 3, 4, 5, 6}};
-  solutions[6].metrics = MetricBuilder().add_result("error.observed_order", 4.9).take_metrics();
+  solutions[6].metrics =
+      SolverMetricsBuilder().add_result_metric("error.observed_order", 4.9).take_metrics();
   solutions[7].sampling = {.y = 1e-4, .ydot = {}, .y_99 = 2e-4, .ydot_99 = {}};
   run.cases[0].bounds = compare::GuaranteedBounds{.reason = "wider than asked for",
                                                   .seconds = 0.5,
                                                   .each = {{"E[y^2]", 0.125, 0.25}, {"w1", 1, 2}}};
-  run.cases[0].assess();
+  run.cases[0].update_assessment();
   return run;
 }
 
@@ -102,7 +103,8 @@ TEST(Summary, OfAnotherOscillatorIsReadBack) {
   EXPECT_EQ(json["noise"].dump(), R"({"intensity":0.4})");
   EXPECT_EQ(json["wall"].dump(), R"({"right":2.0,"right_restitution":0.9})");
   const auto again = read(run_summary_text(run)).cases[0].problem;
-  EXPECT_EQ(problem::parameters_text(again), problem::parameters_text(run.cases[0].problem));
+  EXPECT_EQ(problem::non_default_parameters_text(again),
+            problem::non_default_parameters_text(run.cases[0].problem));
 }
 
 TEST(Summary, HasEveryFieldOfTheContract) {
@@ -197,7 +199,7 @@ TEST(Summary, HasTheStoredAssessment) {
   Json& assessment = json["cases"][0]["assessment"];
   assessment["solutions"][0]["agreement"] = "distant";  // a reader repeats no assessment
   EXPECT_EQ(read(json.dump()).cases[0].assessment.solutions[0].agreement,
-            compare::Agreement::distant);
+            compare::AgreementWithReference::distant);
   for (const auto& [field, value] : {std::pair{"solution", "nobody"}, {"agreement", "great"}}) {
     Json wrong = json;
     wrong["cases"][0]["assessment"]["solutions"][0][field] = value;
@@ -221,16 +223,16 @@ TEST(Summary, IsReadBackAsItWas) {
   EXPECT_EQ(transform::metric_number(solution.metrics, "coefficients[0].a"), -0.25);
   EXPECT_EQ(transform::metric_text(solution.metrics, "leading_form"), "negative");
   EXPECT_EQ(run.cases[0].budget[0].parts[0].approximations.front(),
-            compare::Approximation::closure);
+            compare::ModelApproximation::closure);
 }
 
 TEST(Summary, NonFiniteAndUnknownNumbersAreNull) {
   results::Run run = full_run();
   auto& one = run.cases[0];
   one.solutions[0].energy_residual = std::nan("");
-  one.solutions[0].metrics = MetricBuilder()
-                                 .add_result("residuals[0]", 1.0)
-                                 .add_result("residuals[1]", kInfinity)
+  one.solutions[0].metrics = SolverMetricsBuilder()
+                                 .add_result_metric("residuals[0]", 1.0)
+                                 .add_result_metric("residuals[1]", kInfinity)
                                  .take_metrics();
   one.pairs[0].distances.kl = kInfinity;
   one.budget[0].total_tail = std::nan("");
@@ -252,15 +254,20 @@ TEST(Summary, NonFiniteAndUnknownNumbersAreNull) {
 TEST(Summary, MetricsMustNotReuseKeys) {
   for (const char* path : {"status", "moments.y2", "sampling_l1.y"}) {
     results::Run run = full_run();
-    run.cases[0].solutions[0].metrics = MetricBuilder().add_result(path, 1.0).take_metrics();
+    run.cases[0].solutions[0].metrics =
+        SolverMetricsBuilder().add_result_metric(path, 1.0).take_metrics();
     EXPECT_THROW(run_summary_text(run), std::logic_error) << path;
   }
   results::Run run = full_run();
-  run.cases[0].solutions[0].metrics =
-      MetricBuilder().add_result("nx", 1.0).add_result("nx", 2.0).take_metrics();
+  run.cases[0].solutions[0].metrics = SolverMetricsBuilder()
+                                          .add_result_metric("nx", 1.0)
+                                          .add_result_metric("nx", 2.0)
+                                          .take_metrics();
   EXPECT_THROW(run_summary_text(run), std::logic_error);
-  run.cases[0].solutions[0].metrics =
-      MetricBuilder().add_result("nx", 1.0).add_result("nx.more", 2.0).take_metrics();
+  run.cases[0].solutions[0].metrics = SolverMetricsBuilder()
+                                          .add_result_metric("nx", 1.0)
+                                          .add_result_metric("nx.more", 2.0)
+                                          .take_metrics();
   EXPECT_THROW(run_summary_text(run), std::logic_error);
 }
 

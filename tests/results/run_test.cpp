@@ -18,11 +18,11 @@ TEST(Curves, ComputeBinWidthsFromCentres) {
     const transform::Marginal marginal{compare::comparison_bin_edges(axes, variable), {}, {}, {}};
     DensityCurve curve{"", variable, {}, {}, {}, {}};
     for (std::size_t b = 0; b + 1 < marginal.edges.size(); ++b) {
-      curve.abscissa.push_back(marginal.centre(b));
+      curve.abscissa.push_back(marginal.bin_centre(b));
     }
     const auto widths = bin_widths(curve);
     for (std::size_t b = 0; b < widths.size(); ++b) {
-      EXPECT_NEAR(widths[b], marginal.width(b), 1e-11 * marginal.width(0));
+      EXPECT_NEAR(widths[b], marginal.bin_width(b), 1e-11 * marginal.bin_width(0));
     }
   }
 }

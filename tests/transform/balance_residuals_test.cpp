@@ -11,7 +11,7 @@ namespace fpkcheck::transform {
 namespace {
 
 TEST(BalanceResiduals, AreMetricsWithTheirErrors) {
-  MetricBuilder builder;
+  SolverMetricsBuilder builder;
   add_balance_metrics(builder, {.virial = 1e-3, .momentum = -2e-3},
                       {.virial = {}, .momentum = 5e-4});
   const auto metrics = builder.take_metrics();
@@ -24,7 +24,7 @@ TEST(BalanceResiduals, AreMetricsWithTheirErrors) {
 }
 
 TEST(BalanceResiduals, AreNullIfAbsent) {
-  MetricBuilder builder;
+  SolverMetricsBuilder builder;
   add_balance_metrics(builder, {});
   const auto metrics = builder.take_metrics();
   ASSERT_NE(find_metric(metrics, "balances.virial"), nullptr);
@@ -40,7 +40,7 @@ TEST(QuadratureMarginals, ComputeTheMeanOfAPolynomial) {
   const double mean = std::sqrt(2 / std::numbers::pi);
   for (const auto panels : {QuadraturePanelSpacing::uniform, QuadraturePanelSpacing::graded,
                             QuadraturePanelSpacing::geometric}) {
-    const auto marginals = quadrature_marginals(bell, bell.y_max, bell.v_max, panels);
+    const auto marginals = marginals_at_quadrature_points(bell, bell.y_max, bell.v_max, panels);
     EXPECT_NEAR(mean_of_displacement_polynomial(marginals, numerics::Polynomial({0, 3, 0, 0.5})),
                 4 * mean, 1e-8);
     EXPECT_NEAR(mean_of_displacement_polynomial(
@@ -62,7 +62,7 @@ TEST(QuadratureMarginals, GeometricPanelsResolveASelfSimilarSpike) {
                           },
                           8.0, 8.0};
   const auto mass = [&](QuadraturePanelSpacing panels) {
-    return quadrature_marginals(fan, fan.y_max, fan.v_max, panels).mass;
+    return marginals_at_quadrature_points(fan, fan.y_max, fan.v_max, panels).mass;
   };
   EXPECT_NEAR(mass(QuadraturePanelSpacing::geometric), 1, 1e-4);
   EXPECT_GT(std::abs(mass(QuadraturePanelSpacing::graded) - 1), 1e-3);

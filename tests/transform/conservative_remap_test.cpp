@@ -19,8 +19,8 @@ using Cumulative = double (*)(double);
 GridDensity product(Cumulative of_y, Cumulative of_v, std::vector<double> y_edges,
                     std::vector<double> v_edges) {
   GridDensity g{std::move(y_edges), std::move(v_edges), {}};
-  for (std::size_t i = 0; i < g.ny(); ++i) {
-    for (std::size_t j = 0; j < g.nv(); ++j) {
+  for (std::size_t i = 0; i < g.y_cell_count(); ++i) {
+    for (std::size_t j = 0; j < g.v_cell_count(); ++j) {
       const double y = g.y_edges[i], y_end = g.y_edges[i + 1];
       const double v = g.v_edges[j], v_end = g.v_edges[j + 1];
       g.averages.push_back((of_y(y_end) - of_y(y)) * (of_v(v_end) - of_v(v)) /

@@ -42,7 +42,7 @@ TEST(Marginal, BetweenTheEdgesConvergesWithOrder8InTheGrid) {
     const Marginal m = marginal(bell(n, 8), StateVariable::y, edges);
     double largest = 0;
     for (std::size_t b = 0; b < m.size(); ++b) {
-      const double exact = 2 * (normal_cdf(edges[b + 1]) - normal_cdf(edges[b])) / m.width(b);
+      const double exact = 2 * (normal_cdf(edges[b + 1]) - normal_cdf(edges[b])) / m.bin_width(b);
       largest = std::max(largest, std::abs(m.density[b] - exact));
     }
     return largest;
@@ -58,7 +58,7 @@ TEST(Marginal, BinsBeyondTheGridAreEmptyAndMassIsConserved) {
   const auto edges = uniform_edges(-20, 20, 133);
   const Marginal m = marginal(bell(16, 64), StateVariable::ydot, edges);
   double sum = 0;
-  for (std::size_t b = 0; b < m.size(); ++b) sum += m.density[b] * m.width(b);
+  for (std::size_t b = 0; b < m.size(); ++b) sum += m.density[b] * m.bin_width(b);
   EXPECT_EQ(m.density.front(), 0.0);
   EXPECT_EQ(m.density.back(), 0.0);
   EXPECT_NEAR(sum, mass(bell(16, 64)), 1e-13);

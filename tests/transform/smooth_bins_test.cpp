@@ -38,12 +38,13 @@ TEST(SmoothBins, HaveTheirWeightsInFrontOfTheWall) {
 TEST(SmoothBins, AreAsWideAsTheirWeights) {
   const Marginal of_y = smooth_bin_marginal(kBins, std::vector<double>(8, 1.0));
   EXPECT_EQ(of_y.edges.front(), 0);
-  EXPECT_NEAR(of_y.width(0), 0.2 / 24, 1e-15);
-  EXPECT_NEAR(of_y.width(1), 0.1, 1e-15);
-  for (std::size_t b = 3; b < 8; ++b) EXPECT_NEAR(of_y.centre(b), 0.2 * (double(b) - 1), 1e-14);
+  EXPECT_NEAR(of_y.bin_width(0), 0.2 / 24, 1e-15);
+  EXPECT_NEAR(of_y.bin_width(1), 0.1, 1e-15);
+  for (std::size_t b = 3; b < 8; ++b) EXPECT_NEAR(of_y.bin_centre(b), 0.2 * (double(b) - 1), 1e-14);
   const Marginal of_v =
       smooth_bin_marginal({.first = -0.4, .spacing = 0.2, .count = 5}, {1, 2, 3, 4, 5});
-  for (std::size_t b = 0; b < 5; ++b) EXPECT_NEAR(of_v.centre(b), -0.4 + 0.2 * double(b), 1e-14);
+  for (std::size_t b = 0; b < 5; ++b)
+    EXPECT_NEAR(of_v.bin_centre(b), -0.4 + 0.2 * double(b), 1e-14);
 }
 
 /// p(x) = exp(-x) for x > 0, else 0: a bin away from the wall has exp(-centre) (2 sinh(h/2)/h)^4.

@@ -28,7 +28,7 @@ TEST(Zhuravlev, FoldsPointByPointThroughTheOrigin) {
 TEST(Zhuravlev, KeepsMassAndSecondMomentsOfTheUnfoldedPlane) {
   const SmoothDensity folded = zhuravlev_transform(skewed());
   EXPECT_NEAR(expectation(folded, [](double, double) { return 1.0; }), 1.0, 1e-9);
-  const Moments m = quadrature_marginals(folded, folded.y_max, folded.v_max).moments;
+  const Moments m = marginals_at_quadrature_points(folded, folded.y_max, folded.v_max).moments;
   // y^2 = z^2 and y'^2 = z'^2; y y' = z z'.
   EXPECT_NEAR(m.y2, 1 + 0.16, 1e-8);
   EXPECT_NEAR(m.v2, 1 + 0.25 * 1.16, 1e-8);

@@ -16,7 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using transform::Solution;
 
-// Removes an external density, which cannot be solved again, with all its results.
+// Removes an external density, which the check cannot compute again, and all results about this
+// density.
 void remove_solution(results::CaseResult& case_result, const std::string& id) {
   std::erase_if(case_result.solutions, [&](const auto& solution) { return solution.id() == id; });
   std::erase_if(case_result.pairs, [&](const auto& pair) { return pair.a == id || pair.b == id; });
@@ -34,7 +35,7 @@ void require_complete_simulation(const Solution& solution) {
     throw InputError("the simulation was interrupted: run it again, to its end");
   }
   if (!solution.has_density()) return;
-  for (const Quantity& quantity : solution_quantities(solution, {})) {
+  for (const CheckedQuantity& quantity : solution_quantities(solution, {})) {
     if (quantity.kind != QuantityKind::simulated_error || finite_number_or_nan(quantity.value) > 0)
       continue;
     throw InputError(fmt::format("{} = {} (must be a positive number: run again, and longer)",
@@ -42,12 +43,13 @@ void require_complete_simulation(const Solution& solution) {
   }
 }
 
-// External densities have no method, and are removed from the case with a note.
-CaseToRepeat plan_repetition(results::CaseResult& case_result,
-                             const methods::SolverRegistry& registry,
-                             const base::Values& option_overrides,
-                             std::vector<std::string>& notes) {
-  CaseToRepeat again{case_result.problem, {}};
+// External densities have no method of computation. They are removed from the case, and a note
+// states the removal.
+BaselineCaseToRepeat plan_repetition(results::CaseResult& case_result,
+                                     const methods::SolverRegistry& registry,
+                                     const base::Values& option_overrides,
+                                     std::vector<std::string>& notes) {
+  BaselineCaseToRepeat again{case_result.problem, {}};
   std::vector<std::string> external_ids;
   for (const Solution& solution : case_result.solutions) {
     try {
@@ -68,18 +70,18 @@ CaseToRepeat plan_repetition(results::CaseResult& case_result,
         fmt::format("{} {} is an external density: it is not solved again and not compared.",
                     case_result.name(), id));
   }
-  case_result.assess();
+  case_result.update_assessment();
   return again;
 }
 
 }  // namespace
 
-Baseline load_baseline(const fs::path& path, const methods::SolverRegistry& registry,
-                       const base::Values& option_overrides) {
+CheckBaseline load_baseline(const fs::path& path, const methods::SolverRegistry& registry,
+                            const base::Values& option_overrides) {
   std::error_code ignored;
   const fs::path file = fs::is_directory(path, ignored) ? path / results::kSummaryFile : path;
   const fs::path curves = file.parent_path() / results::kMarginalsFile;
-  Baseline baseline{results::load_run_summary(file), fs::exists(curves, ignored), {}, {}};
+  CheckBaseline baseline{results::load_run_summary(file), fs::exists(curves, ignored), {}, {}};
   if (baseline.has_marginals) {
     results::load_marginal_curves(curves, baseline.run);
   } else {
@@ -103,8 +105,8 @@ Baseline load_baseline(const fs::path& path, const methods::SolverRegistry& regi
   return baseline;
 }
 
-results::Run repeat_run(const Baseline& baseline, const std::string& command, int threads,
-                        const methods::ProgressListener& listener) {
+results::Run repeat_baseline_run(const CheckBaseline& baseline, const std::string& command,
+                                 int threads, const methods::ProgressListener& listener) {
   std::size_t total = 0, before = 0;
   for (const auto& case_result : baseline.cases) total += case_result.methods.size();
   results::Run run{results::current_program(command), {}};

@@ -10,18 +10,18 @@
 
 namespace fpkcheck::check {
 
-/// Case of the baseline that is solved again, and the methods of its solutions.
-struct CaseToRepeat {
+/// Problem of a baseline run that is solved again, and the methods of its solutions.
+struct BaselineCaseToRepeat {
   problem::Problem problem;
   std::vector<methods::Method> methods;
 };
 
-/// A saved run, and the problems and methods that are needed to repeat the run.
-struct Baseline {
+/// A saved run (the baseline of a check), with the problems and methods that repeat the run.
+struct CheckBaseline {
   results::Run run;  ///< saved run without the external densities
   bool has_marginals;
-  std::vector<CaseToRepeat> cases;
-  /// Sentences that state which quantities are not compared, and why.
+  std::vector<BaselineCaseToRepeat> cases;
+  /// Sentences that state which quantities of the baseline are not compared, and why.
   std::vector<std::string> notes;
 };
 
@@ -31,12 +31,13 @@ struct Baseline {
 ///        run
 /// @throws InputError with a message of one line if a file is invalid, or if a case or a solution
 ///         cannot be solved again
-Baseline load_baseline(const std::filesystem::path& path, const methods::SolverRegistry& registry,
-                       const base::Values& option_overrides);
+CheckBaseline load_baseline(const std::filesystem::path& path,
+                            const methods::SolverRegistry& registry,
+                            const base::Values& option_overrides);
 
-/// Solves each case of the baseline again by the methods of its solutions.
+/// Solves each case of a baseline run again by the methods of its solutions.
 /// @param command command line, stored in the summary of the new run
-results::Run repeat_run(const Baseline& baseline, const std::string& command, int threads,
-                        const methods::ProgressListener& listener);
+results::Run repeat_baseline_run(const CheckBaseline& baseline, const std::string& command,
+                                 int threads, const methods::ProgressListener& listener);
 
 }  // namespace fpkcheck::check

@@ -16,8 +16,8 @@ namespace {
 using base::Value;
 using report::kAlwaysShown;
 using report::kMissingCell;
-using report::TextColumn;
-using report::TextFormat;
+using report::TerminalTextFormat;
+using report::TextTableColumn;
 using results::Json;
 
 Json quantity_change_json(const QuantityChange& quantity_change) {
@@ -45,8 +45,8 @@ std::string parameter_value_text(const Value& value, int digits) {
   return number != nullptr ? fmt::format("{:.{}g}", *number, digits) : base::value_as_text(value);
 }
 
-// Returns the texts of the two compared values, with few digits, or with all digits if few digits
-// would not show the change.
+// Returns the texts of two compared values, with few digits, or with all digits if few digits would
+// not show the change.
 std::pair<std::string, std::string> value_texts(const QuantityChange& quantity_change) {
   constexpr int kFewDigits = 8, kAllDigits = 15;
   std::pair few{parameter_value_text(quantity_change.baseline, kFewDigits),
@@ -57,15 +57,15 @@ std::pair<std::string, std::string> value_texts(const QuantityChange& quantity_c
 }
 
 std::string changed_quantity_table(const std::vector<QuantityChange>& moved,
-                                   const TextFormat& format) {
-  std::vector<TextColumn> columns{{"", "case", true, kAlwaysShown},
-                                  {"", "solution", true, kAlwaysShown},
-                                  {"", "figure", true, kAlwaysShown},
-                                  {"", "baseline", false, 2},
-                                  {"", "now", false, 2},
-                                  {"", "change", false, kAlwaysShown},
-                                  {"", "allowed", false, kAlwaysShown},
-                                  {"", "", true, 1}};
+                                   const TerminalTextFormat& format) {
+  std::vector<TextTableColumn> columns{{"", "case", true, kAlwaysShown},
+                                       {"", "solution", true, kAlwaysShown},
+                                       {"", "figure", true, kAlwaysShown},
+                                       {"", "baseline", false, 2},
+                                       {"", "now", false, 2},
+                                       {"", "change", false, kAlwaysShown},
+                                       {"", "allowed", false, kAlwaysShown},
+                                       {"", "", true, 1}};
   for (const QuantityChange& f : moved) {
     const bool is_number = f.kind != QuantityKind::status;
     const auto [baseline, now] = value_texts(f);
@@ -77,14 +77,15 @@ std::string changed_quantity_table(const std::vector<QuantityChange>& moved,
   return report::format_text_table(std::move(columns), format);
 }
 
-std::string quantity_kind_table(const CheckResult& check, const TextFormat& format) {
-  std::vector<TextColumn> columns{{"", "compared", true, kAlwaysShown},
-                                  {"", "figures", false, kAlwaysShown},
-                                  {"", "moved", false, kAlwaysShown},
-                                  {"within allowance", "largest", false, kAlwaysShown},
-                                  {"within allowance", "allowed", false, kAlwaysShown},
-                                  {"within allowance", "", true, 2},
-                                  {"", "of", true, 1}};
+std::string quantity_kind_table(const BaselineCheckResult& check,
+                                const TerminalTextFormat& format) {
+  std::vector<TextTableColumn> columns{{"", "compared", true, kAlwaysShown},
+                                       {"", "figures", false, kAlwaysShown},
+                                       {"", "moved", false, kAlwaysShown},
+                                       {"within allowance", "largest", false, kAlwaysShown},
+                                       {"within allowance", "allowed", false, kAlwaysShown},
+                                       {"within allowance", "", true, 2},
+                                       {"", "of", true, 1}};
   for (const auto& [kind, count, moved, largest] : summarise_changes_by_kind(check)) {
     const bool shown = largest != nullptr && kind != QuantityKind::status;
     const std::string of =
@@ -98,7 +99,8 @@ std::string quantity_kind_table(const CheckResult& check, const TextFormat& form
   return report::format_text_table(std::move(columns), format);
 }
 
-// Returns the changes that are largest in units of their tolerance, in the order of the run.
+// Returns the changes between two runs that are largest in units of their tolerance, in the order
+// of the run.
 std::vector<QuantityChange> largest_changes(const std::vector<QuantityChange>& moved,
                                             std::size_t most) {
   if (moved.size() <= most) return moved;
@@ -118,7 +120,7 @@ std::vector<QuantityChange> largest_changes(const std::vector<QuantityChange>& m
 
 }  // namespace
 
-std::string check_result_json(const CheckResult& check, const std::string& command,
+std::string check_result_json(const BaselineCheckResult& check, const std::string& command,
                               const std::string& baseline) {
   Json kinds = Json::array(), moved = Json::array();
   for (const auto& [kind, count, moved_count, largest] : summarise_changes_by_kind(check)) {
@@ -144,7 +146,7 @@ std::string check_result_json(const CheckResult& check, const std::string& comma
        {"notes", check.notes}}));
 }
 
-std::string check_result_table(const CheckResult& check, const TextFormat& format) {
+std::string check_result_table(const BaselineCheckResult& check, const TerminalTextFormat& format) {
   const auto moved = check.changed_quantities();
   std::string text;
   if (!moved.empty()) {

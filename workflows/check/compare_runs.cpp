@@ -16,9 +16,9 @@ void append_list(List& list, List more) {
   std::ranges::move(more, std::back_inserter(list));
 }
 
-Quantities case_quantities(const results::CaseResult& one, const results::CaseResult& other,
-                           bool is_baseline, const Tolerances& tolerances) {
-  Quantities quantities;
+CheckedQuantities case_quantities(const results::CaseResult& one, const results::CaseResult& other,
+                                  bool is_baseline, const CheckTolerances& tolerances) {
+  CheckedQuantities quantities;
   for (transform::Solution solution : one.solutions) {
     const auto* again = other.find(solution.id());
     if (is_baseline && again != nullptr) {
@@ -33,19 +33,19 @@ Quantities case_quantities(const results::CaseResult& one, const results::CaseRe
 
 }  // namespace
 
-std::vector<QuantityChange> CheckResult::changed_quantities() const {
+std::vector<QuantityChange> BaselineCheckResult::changed_quantities() const {
   std::vector<QuantityChange> result;
   std::ranges::copy_if(changes, std::back_inserter(result), &QuantityChange::exceeds_tolerance);
   return result;
 }
 
-bool CheckResult::agrees_with_baseline() const {
+bool BaselineCheckResult::agrees_with_baseline() const {
   return std::ranges::none_of(changes, &QuantityChange::exceeds_tolerance);
 }
 
-CheckResult compare_runs(const results::Run& baseline, const results::Run& now,
-                         const Tolerances& tolerances, bool with_marginals) {
-  CheckResult result{tolerances, {}, 0, {}};
+BaselineCheckResult compare_runs(const results::Run& baseline, const results::Run& now,
+                                 const CheckTolerances& tolerances, bool with_marginals) {
+  BaselineCheckResult result{tolerances, {}, 0, {}};
   for (const results::CaseResult& was : baseline.cases) {
     const auto is = std::ranges::find(now.cases, was.name(), &results::CaseResult::name);
     if (is == now.cases.end()) {
@@ -60,7 +60,7 @@ CheckResult compare_runs(const results::Run& baseline, const results::Run& now,
   return result;
 }
 
-std::vector<QuantityKindSummary> summarise_changes_by_kind(const CheckResult& check) {
+std::vector<QuantityKindSummary> summarise_changes_by_kind(const BaselineCheckResult& check) {
   std::vector<QuantityKindSummary> kinds;
   for (const auto& entry : kQuantityKindNames) {
     QuantityKindSummary summary{entry.value};

@@ -10,8 +10,8 @@
 
 namespace fpkcheck::check {
 
-struct CheckResult {
-  Tolerances tolerances;
+struct BaselineCheckResult {
+  CheckTolerances tolerances;
   std::vector<QuantityChange> changes;  ///< all compared quantities, in the order of the baseline
   std::size_t solutions;                ///< number of solutions in the baseline
   std::vector<std::string> notes;
@@ -20,20 +20,21 @@ struct CheckResult {
   bool agrees_with_baseline() const;
 };
 
-/// Compares all quantities of two runs, and reports quantities that only one run has. Times,
-/// options and metrics of kind `work` or `text` are not compared, since they describe the
+/// Compares all quantities of two runs, and reports quantities that only one run has. Computing
+/// times, options and metrics of kind `work` or `text` are not compared, since they describe the
 /// computation instead of the solution.
 /// @param now new run by this program version, in which each metric has a kind
 /// @throws InputError if the new run lacks a case of the baseline
-CheckResult compare_runs(const results::Run& baseline, const results::Run& now,
-                         const Tolerances& tolerances, bool with_marginals = true);
+BaselineCheckResult compare_runs(const results::Run& baseline, const results::Run& now,
+                                 const CheckTolerances& tolerances, bool with_marginals = true);
 
 /// Returns the quantities with changes above tolerance, the largest change within tolerance for
 /// each kind of quantity, and a closing sentence.
-std::string check_result_table(const CheckResult& check, const report::TextFormat& format);
+std::string check_result_table(const BaselineCheckResult& check,
+                               const report::TerminalTextFormat& format);
 
 /// Returns the result of a check as JSON, the contents of check.json.
-std::string check_result_json(const CheckResult& check, const std::string& command,
+std::string check_result_json(const BaselineCheckResult& check, const std::string& command,
                               const std::string& baseline);
 
 /// Numbers of compared quantities and of changes above the tolerance, for one kind of quantity.
@@ -41,12 +42,12 @@ struct QuantityKindSummary {
   QuantityKind kind;
   std::size_t count = 0;
   std::size_t moved = 0;
-  /// Among the changes within their tolerances, the change closest to its tolerance.
+  /// Change closest to its tolerance, among all changes within their tolerances.
   const QuantityChange* largest = nullptr;
 };
 
-/// Summarises the kinds of quantities that occur in a check. The pointers in the summaries refer to
-/// `check`.
-std::vector<QuantityKindSummary> summarise_changes_by_kind(const CheckResult& check);
+/// Summarises the kinds of quantities that occur in a check. The pointers in the returned summaries
+/// refer to elements of the argument `check`.
+std::vector<QuantityKindSummary> summarise_changes_by_kind(const BaselineCheckResult& check);
 
 }  // namespace fpkcheck::check

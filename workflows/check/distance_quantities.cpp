@@ -12,7 +12,7 @@ namespace {
 
 using compare::ErrorBudgetPart;
 using compare::ErrorBudgetRow;
-using compare::PairDistances;
+using compare::SolutionPairDistances;
 
 double standard_deviation(const transform::Solution* reference, transform::StateVariable variable) {
   if (reference == nullptr || !reference->has_density()) return 1;
@@ -20,43 +20,45 @@ double standard_deviation(const transform::Solution* reference, transform::State
   return std::sqrt(variable == transform::StateVariable::y ? moments.y2 : moments.v2);
 }
 
-bool has_finite_divergence(const results::CaseResult& case_result, const PairDistances& pair) {
+bool has_finite_divergence(const results::CaseResult& case_result,
+                           const SolutionPairDistances& pair) {
   const auto* found =
       compare::find_pair_distances(case_result.pairs, pair.a, pair.b, pair.variable);
   return found == nullptr || std::isfinite(found->distances.kl);
 }
 
-void add_tail_distances(const compare::Distances& d, const PartQuantityAppender& pair,
-                        double allowed) {
-  // The text `bins` lists the decades of the tail and the numbers of bins in each decade. Tail
-  // distances over different bins are not compared.
+void add_tail_distances(const compare::DensityDistances& d,
+                        const SolutionPartQuantityAppender& pair, double allowed) {
+  // The text quantity `bins` lists the decades of the density tail and the number of bins in each
+  // decade. Two tail distances over different bins are not compared.
   std::string bins;
   for (const auto& decade : d.log10_tail) {
     bins += fmt::format("{:.3g} to {:.3g}: {} and {}; ", decade.from, decade.to, decade.bins,
-                        decade.bins_omitted);
+                        decade.omitted_bin_count);
   }
-  const PartQuantityAppender tail{pair.quantities, pair.solution, "tail " + pair.name};
+  const SolutionPartQuantityAppender tail{pair.quantities, pair.solution, "tail " + pair.name};
   tail.begin_part(QuantityKind::tail, bins, pair.name);
   for (const auto& decade : d.log10_tail) {
-    tail.append_number(fmt::format("tail {:.0e} {}", decade.from, pair.name), QuantityKind::tail,
-                       decade.mean_abs, allowed);
+    tail.append_number_quantity(fmt::format("tail {:.0e} {}", decade.from, pair.name),
+                                QuantityKind::tail, decade.mean_abs, allowed);
   }
 }
 
-void add_l1_standard_error(const PairDistances& pair, const transform::Solution& simulation,
-                           const Tolerances& tolerances, const PartQuantityAppender& part) {
+void add_l1_standard_error(const SolutionPairDistances& pair, const transform::Solution& simulation,
+                           const CheckTolerances& tolerances,
+                           const SolutionPartQuantityAppender& part) {
   constexpr std::size_t kBothVariables = 2;
-  part.append_number("standard error of L1 " + part.name, QuantityKind::simulated_error,
-                     *pair.l1_standard_error,
-                     standard_error_change_tolerance(simulation, kBothVariables, 1, tolerances));
+  part.append_number_quantity(
+      "standard error of L1 " + part.name, QuantityKind::simulated_error, *pair.l1_standard_error,
+      standard_error_change_tolerance(simulation, kBothVariables, 1, tolerances));
 }
 
-// Returns the reference and the parts of a row of the error budget as text. Two rows with different
-// texts have different parts, and are not compared.
+// Returns the reference and the parts of a row of the error budget as text. Two budget rows with
+// different texts have different parts, and are not compared.
 std::string budget_chain_text(const ErrorBudgetRow& row) {
   std::string text = row.reference + ":";
   for (const ErrorBudgetPart& part : row.parts) {
-    text += fmt::format(" {} ({} to {})", part.name(), part.from, part.to);
+    text += fmt::format(" {} ({} to {})", part.part_name(), part.from, part.to);
   }
   return text;
 }
@@ -64,30 +66,30 @@ std::string budget_chain_text(const ErrorBudgetRow& row) {
 /// @param simulation simulation to which the total distances of the row refer, if the two runs
 ///        differ by sampling; otherwise a null pointer
 void add_budget_row_quantities(const ErrorBudgetRow& row, const transform::Solution* simulation,
-                               const Tolerances& tolerances, Quantities& quantities) {
-  const PartQuantityAppender part{quantities, row.solution,
-                                  fmt::format("budget {}", marginal_density_symbol(row.variable))};
-  const auto add = [&](const std::string& name, double number) -> Quantity& {
-    return part.append_number(part.name + ' ' + name, QuantityKind::budget, number,
-                              tolerances.deterministic);
+                               const CheckTolerances& tolerances, CheckedQuantities& quantities) {
+  const SolutionPartQuantityAppender part{
+      quantities, row.solution, fmt::format("budget {}", marginal_density_symbol(row.variable))};
+  const auto add = [&](const std::string& name, double number) -> CheckedQuantity& {
+    return part.append_number_quantity(part.name + ' ' + name, QuantityKind::budget, number,
+                                       tolerances.deterministic);
   };
   const auto add_l1 = [&](const std::string& name, double l1, bool to_reference) {
-    Quantity& quantity = add(name, l1);
+    CheckedQuantity& quantity = add(name, l1);
     if (!to_reference || simulation == nullptr) return;
-    set_sampling_tolerance(quantity, transform::best_sampling_error(*simulation), row.variable,
-                           tolerances);
+    set_tolerance_from_sampling_error(
+        quantity, transform::smallest_known_sampling_errors(*simulation), row.variable, tolerances);
   };
   const auto add_tail = [&](const std::string& name, double tail) {
-    // Largest allowed factor between the tail distances of two simulations. Each simulation has its
-    // own bins in the tail. The measurement of the factor 5 is in docs/checking.md.
+    // Largest accepted ratio of the tail distances of two simulations. Each simulation resolves
+    // different bins of the density tail. The measurement of the factor 5 is in docs/checking.md.
     constexpr double kMaxTailFactor = 5;
-    Quantity& quantity = add(name, tail);
+    CheckedQuantity& quantity = add(name, tail);
     quantity.allowed = simulation == nullptr ? tolerances.tail_tolerance() : kMaxTailFactor - 1;
     if (simulation != nullptr) quantity.kind = QuantityKind::simulated_error;
   };
-  const auto add_error = [&](const std::string& name, const std::optional<double>& l1,
-                             bool of_the_simulation) {
-    Quantity& quantity = add(name, l1.value_or(std::numeric_limits<double>::quiet_NaN()));
+  const auto add_error_metric = [&](const std::string& name, const std::optional<double>& l1,
+                                    bool of_the_simulation) {
+    CheckedQuantity& quantity = add(name, l1.value_or(std::numeric_limits<double>::quiet_NaN()));
     if (simulation == nullptr || !of_the_simulation) return;
     quantity.kind = QuantityKind::simulated_error;
     quantity.allowed = standard_error_change_tolerance(*simulation, 2, 1, tolerances);
@@ -99,39 +101,41 @@ void add_budget_row_quantities(const ErrorBudgetRow& row, const transform::Solut
   add("tail to", row.tail_to);
   add_tail("bins of tail", row.tail_bins);
   for (const ErrorBudgetPart& step : row.parts) {
-    const std::string name = step.name();
+    const std::string name = step.part_name();
     add_l1(name, step.l1, step.to == row.reference);
     add_tail("tail of " + name, step.tail);
-    add_error("uncertainty " + name, step.uncertainty, false);
-    add_error("expected " + name, step.expected, true);
-    add_error("in_99 " + name, step.quantile_99, true);
-    add_error("standard error of " + name, step.standard_error, true);
+    add_error_metric("uncertainty " + name, step.uncertainty, false);
+    add_error_metric("expected " + name, step.expected, true);
+    add_error_metric("in_99 " + name, step.quantile_99, true);
+    add_error_metric("standard error of " + name, step.standard_error, true);
   }
 }
 
 }  // namespace
 
-Quantities distance_quantities(const results::CaseResult& case_result,
-                               const results::CaseResult& case_in_other_run,
-                               const Tolerances& tolerances) {
-  Quantities quantities;
-  for (const PairDistances& pair : case_result.pairs) {
+CheckedQuantities distance_quantities(const results::CaseResult& case_result,
+                                      const results::CaseResult& case_in_other_run,
+                                      const CheckTolerances& tolerances) {
+  CheckedQuantities quantities;
+  for (const SolutionPairDistances& pair : case_result.pairs) {
     const auto *a = case_result.find(pair.a), *b = case_result.find(pair.b);
     const auto& d = pair.distances;
-    const PartQuantityAppender part{
+    const SolutionPartQuantityAppender part{
         quantities, pair.a,
         fmt::format("{} to {}", marginal_density_symbol(pair.variable), pair.b)};
-    const auto add = [&](const char* symbol, double distance, double scale) -> Quantity& {
-      return part.append_number(fmt::format("{} {}", symbol, part.name), QuantityKind::distance,
-                                distance, tolerances.deterministic, scale);
+    const auto add = [&](const char* symbol, double distance, double scale) -> CheckedQuantity& {
+      return part.append_number_quantity(fmt::format("{} {}", symbol, part.name),
+                                         QuantityKind::distance, distance, tolerances.deterministic,
+                                         scale);
     };
     part.begin_part(QuantityKind::distance);
-    Quantity& l1 = add("L1", d.l1, 1);
+    CheckedQuantity& l1 = add("L1", d.l1, 1);
     for (const auto* end : {a, b}) {
       if (end == nullptr) continue;
       const bool measured = pair.l1_standard_error.has_value();
-      set_sampling_tolerance(l1, measured ? transform::best_sampling_error(*end) : end->sampling,
-                             pair.variable, tolerances);
+      set_tolerance_from_sampling_error(
+          l1, measured ? transform::smallest_known_sampling_errors(*end) : end->sampling,
+          pair.variable, tolerances);
     }
     const bool has_sampling_error = l1.kind == QuantityKind::simulated_l1;
     const auto* measure = b != nullptr && b->smooth_sampling ? b : a;
@@ -150,15 +154,15 @@ Quantities distance_quantities(const results::CaseResult& case_result,
   return quantities;
 }
 
-Quantities budget_quantities(const results::CaseResult& case_result,
-                             const results::CaseResult& case_in_other_run,
-                             const Tolerances& tolerances) {
-  Quantities quantities;
+CheckedQuantities budget_quantities(const results::CaseResult& case_result,
+                                    const results::CaseResult& case_in_other_run,
+                                    const CheckTolerances& tolerances) {
+  CheckedQuantities quantities;
   for (const ErrorBudgetRow& row : case_result.budget) {
     const auto *end = case_result.find(row.reference),
                *again = case_in_other_run.find(row.reference);
     const bool has_sampling_error =
-        end != nullptr && again != nullptr && differs_by_sampling(*end, *again);
+        end != nullptr && again != nullptr && have_independent_sampling_errors(*end, *again);
     add_budget_row_quantities(row, has_sampling_error ? end : nullptr, tolerances, quantities);
   }
   return quantities;

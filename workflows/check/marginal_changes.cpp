@@ -14,7 +14,7 @@ using results::DensityCurve;
 using transform::Solution;
 
 // Largest half-width of a bin's 95 % confidence interval relative to the density. A bin with a
-// larger half-width has few events, and contributes only to the L1 distance.
+// wider confidence interval has few samples, and contributes only to the L1 distance.
 constexpr double kMaxRelativeHalfWidth = 0.5;
 
 bool has_same_bins(const DensityCurve& one, const DensityCurve& other) {
@@ -41,11 +41,11 @@ double bin_standard_error(const DensityCurve& curve, std::size_t k) {
   return (curve.upper[k] - curve.density[k]) / numerics::kNormal95;
 }
 
-// Returns the bin with the largest change. For simulations the comparison is limited to bins with
-// sufficiently narrow confidence intervals in both runs.
+// Returns the bin of a marginal density with the largest change between two runs. In simulations
+// only bins with sufficiently narrow confidence intervals in the two runs are compared.
 QuantityChange compare_density_bins(QuantityChange quantity_change, const DensityCurve& was,
                                     const DensityCurve& is, bool has_sampling_error,
-                                    const Tolerances& tolerances) {
+                                    const CheckTolerances& tolerances) {
   const double peak = std::ranges::max(was.density);
   std::size_t compared = 0;
   quantity_change.change = -1;
@@ -82,14 +82,15 @@ double l1_distance(const DensityCurve& was, const DensityCurve& is) {
   return sum;
 }
 
-Quantities l1_distance_quantity(const Solution& simulation, const DensityCurve& curve, double l1,
-                                const Tolerances& tolerances) {
-  Quantities quantities;
-  Quantity& quantity =
-      PartQuantityAppender{quantities, curve.solution, kWholeSolutionPart}.append_number(
-          fmt::format("L1 {} to baseline", marginal_density_symbol(curve.variable)),
-          QuantityKind::simulated_l1, l1, 0);
-  set_sampling_tolerance(quantity, simulation.sampling, curve.variable, tolerances);
+CheckedQuantities l1_distance_quantity(const Solution& simulation, const DensityCurve& curve,
+                                       double l1, const CheckTolerances& tolerances) {
+  CheckedQuantities quantities;
+  CheckedQuantity& quantity =
+      SolutionPartQuantityAppender{quantities, curve.solution, kWholeSolutionPart}
+          .append_number_quantity(
+              fmt::format("L1 {} to baseline", marginal_density_symbol(curve.variable)),
+              QuantityKind::simulated_l1, l1, 0);
+  set_tolerance_from_sampling_error(quantity, simulation.sampling, curve.variable, tolerances);
   return quantities;
 }
 
@@ -97,7 +98,7 @@ Quantities l1_distance_quantity(const Solution& simulation, const DensityCurve& 
 
 std::vector<QuantityChange> marginal_changes(const results::CaseResult& baseline,
                                              const results::CaseResult& now,
-                                             const Tolerances& tolerances) {
+                                             const CheckTolerances& tolerances) {
   std::vector<QuantityChange> changes;
   const auto change_of_curve = [&](const DensityCurve& curve) {
     return QuantityChange{
@@ -115,7 +116,8 @@ std::vector<QuantityChange> marginal_changes(const results::CaseResult& baseline
     const DensityCurve* is = now.marginal_curve(was.solution, was.variable);
     if (is == nullptr || !has_same_bins(was, *is)) {
       changes.push_back(change_of_curve(was));
-      // If only one run has the curve, the quantities of the solution report this difference.
+      // If only one of the two runs has a marginal density, solution_quantities() reports this
+      // difference.
     } else if (one != nullptr && other != nullptr) {
       const bool has_sampling_error =
           one->standard_errors && !was.upper.empty() && !is->upper.empty();

@@ -14,7 +14,7 @@ using base::Value;
 
 using QuantityKey = std::pair<std::string, std::string>;  // solution and name of a quantity
 
-double scaled_change(const Quantity& was, const Quantity& is) {
+double scaled_change(const CheckedQuantity& was, const CheckedQuantity& is) {
   const double a = finite_number_or_nan(was.value), b = finite_number_or_nan(is.value),
                difference = std::abs(b - a);
   if (was.value == is.value || difference == 0) return 0;
@@ -27,7 +27,7 @@ double scaled_change(const Quantity& was, const Quantity& is) {
   return std::isnan(result) ? kInfinity : result;
 }
 
-double allowed_change(const Quantity& was, const Quantity& is) {
+double allowed_change(const CheckedQuantity& was, const CheckedQuantity& is) {
   if (was.kind != QuantityKind::simulated_l1) return was.allowed;
   constexpr double kNormalQuantile99 = 2.326;  // quantile of the standard normal law
   const double expected = std::hypot(was.error, is.error);
@@ -36,14 +36,14 @@ double allowed_change(const Quantity& was, const Quantity& is) {
   return expected + was.allowed * std::max(deviation, 0.0);
 }
 
-bool is_error_estimate(const Quantity& quantity) {
+bool is_error_estimate(const CheckedQuantity& quantity) {
   return quantity.kind == QuantityKind::simulated_error || quantity.name == kErrorEstimatePart ||
          quantity.part == kErrorEstimatePart;
 }
 
 }  // namespace
 
-const PartQuantityAppender& PartQuantityAppender::begin_part(
+const SolutionPartQuantityAppender& SolutionPartQuantityAppender::begin_part(
     QuantityKind kind, const Value& value, const std::string& enclosing_part) const {
   quantities.push_back({.solution = solution,
                         .name = name,
@@ -54,19 +54,22 @@ const PartQuantityAppender& PartQuantityAppender::begin_part(
   return *this;
 }
 
-void PartQuantityAppender::append_word(const std::string& quantity_name, const Value& value) const {
+void SolutionPartQuantityAppender::append_word_quantity(const std::string& quantity_name,
+                                                        const Value& value) const {
   quantities.push_back({.solution = solution, .name = quantity_name, .value = value, .part = name});
 }
 
-Quantity& PartQuantityAppender::append_number(const std::string& quantity_name, QuantityKind kind,
-                                              double value, double allowed, double scale) const {
-  return quantities.emplace_back(Quantity{.solution = solution,
-                                          .name = quantity_name,
-                                          .kind = kind,
-                                          .value = std::isfinite(value) ? Value(value) : Value(),
-                                          .allowed = allowed,
-                                          .scale = scale,
-                                          .part = name});
+CheckedQuantity& SolutionPartQuantityAppender::append_number_quantity(
+    const std::string& quantity_name, QuantityKind kind, double value, double allowed,
+    double scale) const {
+  return quantities.emplace_back(
+      CheckedQuantity{.solution = solution,
+                      .name = quantity_name,
+                      .kind = kind,
+                      .value = std::isfinite(value) ? Value(value) : Value(),
+                      .allowed = allowed,
+                      .scale = scale,
+                      .part = name});
 }
 
 double finite_number_or_nan(const Value& value) {
@@ -76,13 +79,15 @@ double finite_number_or_nan(const Value& value) {
 }
 
 std::vector<QuantityChange> compare_quantities(const std::string& case_name,
-                                               const Quantities& baseline, const Quantities& now) {
-  std::map<QuantityKey, const Quantity*> was_index, is_index;
-  for (const Quantity& was : baseline) was_index.emplace(QuantityKey{was.solution, was.name}, &was);
-  for (const Quantity& is : now) is_index.emplace(QuantityKey{is.solution, is.name}, &is);
+                                               const CheckedQuantities& baseline,
+                                               const CheckedQuantities& now) {
+  std::map<QuantityKey, const CheckedQuantity*> was_index, is_index;
+  for (const CheckedQuantity& was : baseline)
+    was_index.emplace(QuantityKey{was.solution, was.name}, &was);
+  for (const CheckedQuantity& is : now) is_index.emplace(QuantityKey{is.solution, is.name}, &is);
   std::vector<QuantityChange> changes;
   std::set<QuantityKey> excluded_parts;  // parts that differ completely, or that only one run has
-  const auto add = [&](const Quantity& quantity, const Value& was, const Value& is,
+  const auto add = [&](const CheckedQuantity& quantity, const Value& was, const Value& is,
                        double change_value, double tolerance, bool opens_part) {
     const QuantityKey key{quantity.solution, quantity.name};
     const bool is_in_excluded_part = excluded_parts.contains({quantity.solution, quantity.part});
@@ -93,17 +98,17 @@ std::vector<QuantityChange> compare_quantities(const std::string& case_name,
     if (!is_in_excluded_part && (!opens_part || quantity_change.exceeds_tolerance()))
       changes.push_back(std::move(quantity_change));
   };
-  for (const Quantity& was : baseline) {
+  for (const CheckedQuantity& was : baseline) {
     const auto found = is_index.find({was.solution, was.name});
     if (found == is_index.end()) {
       add(was, "there", "missing", kInfinity, 0, was.opens_part);
     } else {
-      const Quantity& is = *found->second;
+      const CheckedQuantity& is = *found->second;
       add(was, was.value, is.value, scaled_change(was, is), allowed_change(was, is),
           was.opens_part || is.opens_part);
     }
   }
-  for (const Quantity& is : now) {
+  for (const CheckedQuantity& is : now) {
     if (was_index.contains({is.solution, is.name})) continue;
     if (is_error_estimate(is)) continue;
     add(is, "missing", "there", kInfinity, 0, is.opens_part);

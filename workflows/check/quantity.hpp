@@ -17,8 +17,8 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Kind of a compared quantity, which determines the unit and the tolerance of a change.
 enum class QuantityKind {
   status,  ///< status or another word, which must be equal in the two runs
-  /// Moment, relative change; the change of E[y'] is divided by at least 1e-3 standard deviations
-  /// of y'.
+  /// Moment of a solution, relative change; the change of E[y'] is divided by at least 1e-3
+  /// standard deviations of y'.
   moment,
   mass,           ///< mass of a density, absolute change
   energy,         ///< energy residual (relative to the power input), absolute change
@@ -31,10 +31,10 @@ enum class QuantityKind {
   simulated,      ///< moment, mass, rate or quantile of a simulation, in standard errors
   simulated_bin,  ///< bin of a simulated density with the largest change, in standard errors
   simulated_l1,   ///< L1 distance between two simulations, or change of an L1 distance
-  /// Sampling error of a simulation; the change is the ratio between the runs minus 1.
+  /// Sampling error of a simulation; the change is the ratio of the errors in the two runs minus 1.
   simulated_error
 };
-/// Label of each kind in tables and check.json, and unit of a change.
+/// Label of each kind of compared quantity in tables and check.json, and unit of its change.
 inline constexpr base::EnumEntry<QuantityKind> kQuantityKindNames[] = {
     {QuantityKind::status, "status and words"},
     {QuantityKind::moment, "moments", "relative"},
@@ -63,7 +63,8 @@ struct QuantityChange {
   QuantityKind kind;
   base::Value baseline;  ///< value in the baseline: a number, a word, a flag, or empty
   base::Value now;
-  /// Nonnegative change in the unit of the kind; infinite if the values cannot be compared.
+  /// Nonnegative change between the two runs, in the unit of the quantity's kind; infinite if the
+  /// values cannot be compared.
   double change;
   double allowed;
 
@@ -71,13 +72,13 @@ struct QuantityChange {
   double change_over_tolerance() const { return change == 0 ? 0 : change / allowed; }
 };
 
-struct Quantity {
+struct CheckedQuantity {
   std::string solution = {};  ///< id of the solution
   std::string name = {};
   QuantityKind kind = QuantityKind::status;
   base::Value value = {};
-  /// Tolerance of the change; for the kind `simulated_l1` in standard deviations above the expected
-  /// L1 distance.
+  /// Tolerance of the change between two runs; for the kind `simulated_l1` in standard deviations
+  /// above the expected L1 distance.
   double allowed = 0;
   double scale = 1;  ///< number by which a change is divided
   /// For the kind `simulated`, `error` is the standard error, or NaN if the run states no standard
@@ -85,42 +86,45 @@ struct Quantity {
   /// `quantile_99` its 99 % quantile.
   double error = 0, quantile_99 = 0;
   std::string part = {};  ///< name of the part that contains the quantity, e.g. "peaks[3]"
-  /// Whether this first quantity of a part states the presence or the length of the part. If the
-  /// first quantity changes, the remaining quantities of the part are not compared.
+  /// Whether this quantity is the first of a part of the solution, and states the presence or the
+  /// length of the part. If the first quantity changes, the other quantities of the part are not
+  /// compared.
   bool opens_part = false;
 };
-using Quantities = std::vector<Quantity>;
+using CheckedQuantities = std::vector<CheckedQuantity>;
 
-/// Name of the part that represents the whole solution.
+/// Name of the part of compared quantities that represents the whole solution.
 inline constexpr const char* kWholeSolutionPart = "solution";
-/// Name of the part that contains the error estimates of a solution.
+/// Name of the part of compared quantities that contains the error estimates of a solution.
 inline constexpr const char* kErrorEstimatePart = "stated error";
 
-/// Appends the quantities of one part of a solution to a list. A part is, for example, the density
-/// or an element of a list of metrics.
-struct PartQuantityAppender {
-  Quantities& quantities;
+/// Appends the quantities of one part of a solution to a list. A part of a solution is, for
+/// example, the density or an element of a list of metrics.
+struct SolutionPartQuantityAppender {
+  CheckedQuantities& quantities;
   std::string solution, name;
 
-  /// Appends the first quantity of a part: the presence of the part, or a value that identifies the
-  /// part. Further quantities of the part must be appended after the call of begin_part().
-  const PartQuantityAppender& begin_part(
+  /// Appends the first quantity of a part of a solution: the presence of the part, or a value that
+  /// identifies the part. Other quantities of the part must be appended after the call of
+  /// begin_part().
+  const SolutionPartQuantityAppender& begin_part(
       QuantityKind kind, const base::Value& value = "there",
       const std::string& enclosing_part = kWholeSolutionPart) const;
-  void append_word(const std::string& quantity_name, const base::Value& value) const;
+  void append_word_quantity(const std::string& quantity_name, const base::Value& value) const;
   /// Appends a number as a quantity; a number that is not finite becomes an empty value, as in
-  /// files. The returned reference is valid until the next quantity is appended.
-  Quantity& append_number(const std::string& quantity_name, QuantityKind kind, double value,
-                          double allowed, double scale = 1) const;
+  /// files. The returned reference to the quantity is valid until the next quantity is appended.
+  CheckedQuantity& append_number_quantity(const std::string& quantity_name, QuantityKind kind,
+                                          double value, double allowed, double scale = 1) const;
 };
 
 /// Returns the finite number in a value of type double or integer, otherwise NaN.
 double finite_number_or_nan(const base::Value& value);
 
 /// Compares quantities with equal solution and name, and reports quantities that only one run has.
-/// Error estimates that the baseline lacks are not reported, since older programs wrote no error
-/// estimates.
+/// An error estimate that only the new run has is not reported, since older program versions wrote
+/// no error estimates.
 std::vector<QuantityChange> compare_quantities(const std::string& case_name,
-                                               const Quantities& baseline, const Quantities& now);
+                                               const CheckedQuantities& baseline,
+                                               const CheckedQuantities& now);
 
 }  // namespace fpkcheck::check

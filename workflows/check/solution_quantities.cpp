@@ -15,23 +15,23 @@ namespace fpkcheck::check {
 namespace {
 
 using base::Value;
-using transform::Metric;
-using transform::MetricKind;
 using transform::Metrics;
 using transform::Solution;
+using transform::SolverMetric;
+using transform::SolverMetricKind;
 
-void add_density_quantities(const Solution& s, const Tolerances& tolerances,
-                            const PartQuantityAppender& density) {
+void add_density_quantities(const Solution& s, const CheckTolerances& tolerances,
+                            const SolutionPartQuantityAppender& density) {
   const auto add = [&](const char* name, QuantityKind otherwise, double number, double error,
                        double scale) {
-    Quantity& quantity =
-        density.append_number(name, otherwise, number, tolerances.deterministic, scale);
+    CheckedQuantity& quantity =
+        density.append_number_quantity(name, otherwise, number, tolerances.deterministic, scale);
     if (!s.standard_errors) return;
     quantity.kind = QuantityKind::simulated;
     quantity.allowed = tolerances.standard_errors;
     quantity.error = error;
   };
-  const auto errors = s.standard_errors.value_or(transform::StandardErrors{});
+  const auto errors = s.standard_errors.value_or(transform::MomentStandardErrors{});
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     // The mean velocity E[y'] is 0 in every stationary state. Mean velocities below 1e-3 of the
     // standard deviation of y' are errors of the method, with rounding errors in their last digits.
@@ -47,43 +47,45 @@ void add_density_quantities(const Solution& s, const Tolerances& tolerances,
   add("mass", QuantityKind::mass, s.mass, standard_error_of_mass(s), 1);
   add("energy residual", QuantityKind::energy, s.energy_residual, errors.energy_residual, 1);
   constexpr double kMinScale = 1e-6;
-  density.append_number("smallest density", QuantityKind::detail, s.min_density,
-                        tolerances.deterministic, std::max(std::abs(s.min_density), kMinScale));
+  density.append_number_quantity("smallest density", QuantityKind::detail, s.min_density,
+                                 tolerances.deterministic,
+                                 std::max(std::abs(s.min_density), kMinScale));
 }
 
-void add_error_estimates(const Solution& s, const Tolerances& tolerances,
-                         const PartQuantityAppender& stated) {
+void add_error_estimates(const Solution& s, const CheckTolerances& tolerances,
+                         const SolutionPartQuantityAppender& stated) {
   const auto add = [&](const std::string& of, double error, double least) {
-    constexpr double kMinErrorScale = 0.1;  // default of transform::Metric::min_scale
-    stated.append_number("error of " + of, QuantityKind::detail, error, tolerances.deterministic,
-                         std::max({std::abs(error), least, kMinErrorScale}));
+    constexpr double kMinErrorScale = 0.1;  // default of transform::SolverMetric::min_scale
+    stated.append_number_quantity("error of " + of, QuantityKind::detail, error,
+                                  tolerances.deterministic,
+                                  std::max({std::abs(error), least, kMinErrorScale}));
   };
   for (const auto variable : transform::kVariables) {
     add(marginal_density_symbol(variable), l1_error_of_marginal(*s.error, variable), 0);
   }
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    // The error estimate of a moment contains the rounding error of the moment.
+    // The stated error estimate of a moment contains the rounding error of the moment.
     add(symbol, s.error->moments.*moment, std::abs(s.moments.*size));
   }
 }
 
-void add_standard_error_quantities(const transform::StandardErrors& errors,
-                                   const PartQuantityAppender& part) {
+void add_standard_error_quantities(const transform::MomentStandardErrors& errors,
+                                   const SolutionPartQuantityAppender& part) {
   const auto add = [&](const std::string& of, double error) {
-    part.append_number("standard error of " + of, QuantityKind::simulated_error, error, 1);
+    part.append_number_quantity("standard error of " + of, QuantityKind::simulated_error, error, 1);
   };
   for (const auto& [name, symbol, moment, size] : transform::kMoments)
     add(symbol, errors.moments.*moment);
   add("energy residual", errors.energy_residual);
 }
 
-void add_sampling_error_quantities(const transform::SamplingError& sampling,
-                                   const PartQuantityAppender& part) {
+void add_sampling_error_quantities(const transform::MarginalSamplingErrors& sampling,
+                                   const SolutionPartQuantityAppender& part) {
   for (const auto variable : transform::kVariables) {
     const auto add = [&](const std::string& which, const std::optional<double>& l1) {
-      part.append_number(part.name + which + marginal_density_symbol(variable),
-                         QuantityKind::simulated_error,
-                         l1.value_or(std::numeric_limits<double>::quiet_NaN()), 1);
+      part.append_number_quantity(part.name + which + marginal_density_symbol(variable),
+                                  QuantityKind::simulated_error,
+                                  l1.value_or(std::numeric_limits<double>::quiet_NaN()), 1);
     };
     add(" of ", expected_l1_error(sampling, variable));
     add(" in 99 of 100 of ", l1_error_quantile_99(sampling, variable));
@@ -108,13 +110,13 @@ std::string path_without_indices(const std::string& path) {
 
 class MetricQuantityAppender {
  public:
-  MetricQuantityAppender(const Metrics& metrics, const Tolerances& tolerances,
-                         const PartQuantityAppender& whole)
+  MetricQuantityAppender(const Metrics& metrics, const CheckTolerances& tolerances,
+                         const SolutionPartQuantityAppender& whole)
       : metrics_(metrics), tolerances_(tolerances), whole_(whole) {
     for (const auto& metric : metrics) {
       if (!metric.standard_error_path.empty())
         standard_error_paths_.insert(metric.standard_error_path);
-      if (metric.kind == MetricKind::coefficient)
+      if (metric.kind == SolverMetricKind::coefficient)
         coefficient_terms_.insert(parent_metric_path(metric.path));
       const auto place = metric.path.find_last_of('[');
       if (place == std::string::npos) continue;
@@ -127,23 +129,25 @@ class MetricQuantityAppender {
   void append_all_metrics() {
     const std::size_t first = whole_.quantities.size();
     for (const auto& metric : metrics_) {
-      if (metric.kind == MetricKind::coefficient) {
+      if (metric.kind == SolverMetricKind::coefficient) {
         const double a = finite_number_or_nan(metric.value);
-        whole_.append_number(coefficient_name(metric), QuantityKind::coefficient, a,
-                             tolerances_.coefficient_tolerance(),
-                             std::max(std::abs(a), metric.min_scale));
-      } else if (metric.kind == MetricKind::result &&
+        whole_.append_number_quantity(coefficient_name(metric), QuantityKind::coefficient, a,
+                                      tolerances_.coefficient_tolerance(),
+                                      std::max(std::abs(a), metric.min_scale));
+      } else if (metric.kind == SolverMetricKind::result &&
                  !coefficient_terms_.contains(parent_metric_path(metric.path))) {
         append_result_metric(metric);
-      } else if (metric.kind == MetricKind::error && !standard_error_paths_.contains(metric.path)) {
-        // The number of effective samples is proportional to 1 / error^2.
-        whole_.append_number(metric.path, QuantityKind::simulated_error,
-                             finite_number_or_nan(metric.value), 2);
+      } else if (metric.kind == SolverMetricKind::error &&
+                 !standard_error_paths_.contains(metric.path)) {
+        // The number of effectively independent samples is proportional to the inverse square of
+        // the standard error.
+        whole_.append_number_quantity(metric.path, QuantityKind::simulated_error,
+                                      finite_number_or_nan(metric.value), 2);
       }
     }
     const auto own = std::span(whole_.quantities).subspan(first);
-    const auto values = std::ranges::count(own, QuantityKind::simulated, &Quantity::kind);
-    for (Quantity& quantity : own) {
+    const auto values = std::ranges::count(own, QuantityKind::simulated, &CheckedQuantity::kind);
+    for (CheckedQuantity& quantity : own) {
       if (quantity.kind != QuantityKind::simulated) continue;
       quantity.allowed = tolerances_.bonferroni_threshold(static_cast<std::size_t>(values));
     }
@@ -152,10 +156,10 @@ class MetricQuantityAppender {
  private:
   // Returns the name of a coefficient, e.g. "a(4,2)" for the term x1^4 x2^2. The powers are the
   // metrics of kind `result` with the parent path of the coefficient.
-  std::string coefficient_name(const Metric& metric) const {
+  std::string coefficient_name(const SolverMetric& metric) const {
     std::vector<double> powers;
     for (const auto& sibling : metrics_) {
-      if (sibling.kind == MetricKind::result &&
+      if (sibling.kind == SolverMetricKind::result &&
           parent_metric_path(sibling.path) == parent_metric_path(metric.path)) {
         powers.push_back(finite_number_or_nan(sibling.value));
       }
@@ -164,11 +168,11 @@ class MetricQuantityAppender {
                        fmt::join(powers, ","));
   }
 
-  // The first call of open_part() for a name appends the first quantity of the part with this name.
-  PartQuantityAppender open_part(const std::string& name) {
-    const PartQuantityAppender result{whole_.quantities, whole_.solution, name};
+  // The first call of open_part() with a name appends the first quantity of the part of this name.
+  SolutionPartQuantityAppender open_part(const std::string& name) {
+    const SolutionPartQuantityAppender result{whole_.quantities, whole_.solution, name};
     if (name != kWholeSolutionPart && opened_parts_.insert(name).second) {
-      const PartQuantityAppender outer = open_part(parent_metric_path(name));
+      const SolutionPartQuantityAppender outer = open_part(parent_metric_path(name));
       const auto list = list_entries_.find(name);
       const std::string length =
           list == list_entries_.end() ? "there" : fmt::format("{} entries", list->second.size());
@@ -177,57 +181,61 @@ class MetricQuantityAppender {
     return result;
   }
 
-  void append_result_metric(const Metric& metric) {
-    const PartQuantityAppender in = open_part(parent_metric_path(metric.path));
+  void append_result_metric(const SolverMetric& metric) {
+    const SolutionPartQuantityAppender in = open_part(parent_metric_path(metric.path));
     const double number = finite_number_or_nan(metric.value);
     if (metric.path.ends_with("[]")) return;
     if (!metric.standard_error_path.empty()) {
       append_estimate_and_error(metric, in);
     } else if (std::holds_alternative<double>(metric.value) ||
                std::holds_alternative<std::int64_t>(metric.value)) {
-      in.append_number(
+      in.append_number_quantity(
           metric.path, QuantityKind::detail, number,
           metric.is_rounding_sensitive ? tolerances_.tail_tolerance() : tolerances_.deterministic,
           std::max(std::abs(number), metric.min_scale));
     } else {
-      in.append_word(metric.path, metric.value);
+      in.append_word_quantity(metric.path, metric.value);
     }
   }
 
-  void append_estimate_and_error(const Metric& metric, const PartQuantityAppender& in) {
-    const Metric* error = find_metric(metrics_, metric.standard_error_path);
+  void append_estimate_and_error(const SolverMetric& metric,
+                                 const SolutionPartQuantityAppender& in) {
+    const SolverMetric* error = find_metric(metrics_, metric.standard_error_path);
     const double standard_error = error == nullptr ? std::numeric_limits<double>::quiet_NaN()
                                                    : finite_number_or_nan(error->value);
-    in.append_number(metric.path, QuantityKind::simulated, finite_number_or_nan(metric.value), 0)
+    in.append_number_quantity(metric.path, QuantityKind::simulated,
+                              finite_number_or_nan(metric.value), 0)
         .error = standard_error;
     // The standard error of a rounding-sensitive value comes from few events, and is as uncertain
     // as the value.
     if (error == nullptr || metric.is_rounding_sensitive) return;
-    in.append_number("error of " + metric.path, QuantityKind::simulated_error, standard_error, 1);
+    in.append_number_quantity("error of " + metric.path, QuantityKind::simulated_error,
+                              standard_error, 1);
   }
 
   const Metrics& metrics_;
-  const Tolerances& tolerances_;
-  const PartQuantityAppender& whole_;
+  const CheckTolerances& tolerances_;
+  const SolutionPartQuantityAppender& whole_;
   std::set<std::string> standard_error_paths_, coefficient_terms_, opened_parts_;
-  /// Entries of each list of metrics, by the path of the list.
+  /// Elements of each list of metrics, by the path of the list.
   std::map<std::string, std::set<std::string>> list_entries_;
 };
 
 }  // namespace
 
-Quantities solution_quantities(const Solution& s, const Tolerances& tolerances) {
-  Quantities quantities;
+CheckedQuantities solution_quantities(const Solution& s, const CheckTolerances& tolerances) {
+  CheckedQuantities quantities;
   const auto part = [&](const char* name, const char* value = "there") {
-    return PartQuantityAppender{quantities, s.id(), name}.begin_part(QuantityKind::status, value);
+    return SolutionPartQuantityAppender{quantities, s.id(), name}.begin_part(QuantityKind::status,
+                                                                             value);
   };
-  const PartQuantityAppender whole = part(kWholeSolutionPart);
-  whole.append_word("equation", equation_and_impact_text(s.identity));
-  whole.append_word("status", std::string(name(s.status)));
-  const PartQuantityAppender density = part("density", s.has_density() ? "one" : "none");
+  const SolutionPartQuantityAppender whole = part(kWholeSolutionPart);
+  whole.append_word_quantity("equation", equation_and_impact_text(s.identity));
+  whole.append_word_quantity("status", std::string(name(s.status)));
+  const SolutionPartQuantityAppender density = part("density", s.has_density() ? "one" : "none");
   if (s.has_density()) add_density_quantities(s, tolerances, density);
-  // The error estimate of a simulation is a difference of two simulations. It scatters by as much
-  // as its value, and therefore does not reveal a change.
+  // The kick-interval error of a simulation is estimated from the difference of two simulations.
+  // This estimate scatters by as much as its value, and therefore does not reveal a change.
   if (s.error && !s.standard_errors) add_error_estimates(s, tolerances, part(kErrorEstimatePart));
   if (s.standard_errors) add_standard_error_quantities(*s.standard_errors, part("standard errors"));
   if (s.sampling) add_sampling_error_quantities(*s.sampling, part("sampling L1"));
@@ -235,10 +243,10 @@ Quantities solution_quantities(const Solution& s, const Tolerances& tolerances) 
     add_sampling_error_quantities(*s.smooth_sampling, part("sampling L1 in smooth bins"));
   add_metric_quantities(s.metrics, tolerances, whole);
   // For standard errors, add_metric_quantities() stores an exponent in the member `allowed`. The
-  // following loop replaces this exponent by the tolerance, adjusted for multiple comparisons.
+  // loop replaces the exponent in `allowed` by the tolerance, adjusted for multiple comparisons.
   const auto errors =
-      std::ranges::count(quantities, QuantityKind::simulated_error, &Quantity::kind);
-  for (Quantity& quantity : quantities) {
+      std::ranges::count(quantities, QuantityKind::simulated_error, &CheckedQuantity::kind);
+  for (CheckedQuantity& quantity : quantities) {
     if (quantity.kind != QuantityKind::simulated_error) continue;
     quantity.allowed = standard_error_change_tolerance(s, static_cast<std::size_t>(errors),
                                                        quantity.allowed, tolerances);
@@ -246,15 +254,15 @@ Quantities solution_quantities(const Solution& s, const Tolerances& tolerances) 
   return quantities;
 }
 
-void add_metric_quantities(const Metrics& metrics, const Tolerances& tolerances,
-                           const PartQuantityAppender& whole) {
+void add_metric_quantities(const Metrics& metrics, const CheckTolerances& tolerances,
+                           const SolutionPartQuantityAppender& whole) {
   MetricQuantityAppender(metrics, tolerances, whole).append_all_metrics();
 }
 
 Metrics copy_metric_kinds(Metrics baseline, const Metrics& now) {
   std::set<std::string> ignored_paths;
   for (const auto& metric : now) {
-    if (metric.kind == MetricKind::work || metric.kind == MetricKind::text)
+    if (metric.kind == SolverMetricKind::work || metric.kind == SolverMetricKind::text)
       ignored_paths.insert(path_without_indices(metric.path));
   }
   // A metric in a list is also ignored if the new run ignores the corresponding metric at another
@@ -266,9 +274,9 @@ Metrics copy_metric_kinds(Metrics baseline, const Metrics& now) {
     return ignored_paths.contains(path);
   };
   for (auto& metric : baseline) {
-    const Metric* same = find_metric(now, metric.path);
-    Metric as_now = same != nullptr ? *same : Metric{.path = metric.path, .value = {}};
-    if (is_ignored(path_without_indices(metric.path))) as_now.kind = MetricKind::work;
+    const SolverMetric* same = find_metric(now, metric.path);
+    SolverMetric as_now = same != nullptr ? *same : SolverMetric{.path = metric.path, .value = {}};
+    if (is_ignored(path_without_indices(metric.path))) as_now.kind = SolverMetricKind::work;
     as_now.value = std::move(metric.value);
     metric = std::move(as_now);
   }

@@ -25,7 +25,7 @@ constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-double Tolerances::bonferroni_threshold(std::size_t comparison_count) const {
+double CheckTolerances::bonferroni_threshold(std::size_t comparison_count) const {
   const double rare = std::erfc(standard_errors / std::numbers::sqrt2);
   return std::numbers::sqrt2 *
          boost::math::erfc_inv(
@@ -33,12 +33,12 @@ double Tolerances::bonferroni_threshold(std::size_t comparison_count) const {
                       std::numeric_limits<double>::min()));
 }
 
-void validate(const Tolerances& tolerances) {
+void validate(const CheckTolerances& tolerances) {
   require_positive(tolerances.deterministic, "--tolerance");
   require_positive(tolerances.standard_errors, "--standard-errors");
 }
 
-bool differs_by_sampling(const Solution& one, const Solution& other) {
+bool have_independent_sampling_errors(const Solution& one, const Solution& other) {
   if (!one.standard_errors || !other.standard_errors) return false;
   const auto &errors = one.standard_errors->moments, &others = other.standard_errors->moments;
   return std::ranges::any_of(transform::kMoments, [&](const transform::NamedMoment& of) {
@@ -49,16 +49,16 @@ bool differs_by_sampling(const Solution& one, const Solution& other) {
 
 double standard_error_of_mass(const Solution& solution) {
   // A histogram of n samples with bin probabilities p_b has the expected L1 error l1 = sqrt(2/(pi
-  // n)) sum sqrt(p_b (1 - p_b)). For many bins this L1 error exceeds sqrt(2/(pi n)), and therefore
-  // 1/n <= pi/2 l1^2.
+  // n)) sum sqrt(p_b (1 - p_b)). For a histogram with many bins this L1 error exceeds sqrt(2/(pi
+  // n)), and therefore 1/n <= pi/2 l1^2.
   const double l1 = solution.sampling ? solution.sampling->y.value_or(kNotANumber) : kNotANumber;
   const double one_sample = std::numbers::pi / 2 * l1 * l1;
   return std::sqrt((std::abs(1 - solution.mass) + one_sample) * one_sample);
 }
 
-void set_sampling_tolerance(Quantity& quantity,
-                            const std::optional<transform::SamplingError>& sampling,
-                            transform::StateVariable variable, const Tolerances& tolerances) {
+void set_tolerance_from_sampling_error(
+    CheckedQuantity& quantity, const std::optional<transform::MarginalSamplingErrors>& sampling,
+    transform::StateVariable variable, const CheckTolerances& tolerances) {
   if (!sampling) return;
   const auto error = expected_l1_error(*sampling, variable);
   const auto most = l1_error_quantile_99(*sampling, variable);
@@ -70,7 +70,7 @@ void set_sampling_tolerance(Quantity& quantity,
 }
 
 double standard_error_change_tolerance(const Solution& simulation, std::size_t number_of_errors,
-                                       double power, const Tolerances& tolerances) {
+                                       double power, const CheckTolerances& tolerances) {
   // Ratios of standard errors have heavier tails than the normal law. The measurement of the factor
   // 1.25 is in docs/checking.md.
   constexpr double kHeavyTailFactor = 1.25;

@@ -6,19 +6,20 @@
 #include "transform/solution.hpp"
 #include "workflows/check/quantity.hpp"
 
-/// Tolerances of a check. In this file, a simulation is any solution that states standard errors.
+/// Tolerances of `fpkcheck check`. In this file, a simulation is any solution that states standard
+/// errors.
 namespace fpkcheck::check {
 
 /// Tolerances of changes between two runs. The default tolerances follow from the measurements in
 /// docs/checking.md.
-struct Tolerances {
+struct CheckTolerances {
   /// Tolerance for deterministic quantities: relative for moments, absolute for mass and energy
   /// residual, and as a fraction of the peak for densities. The tolerance of distances is in
   /// standard deviations of the variable. Rounding errors change deterministic quantities by up to
   /// 6e-11.
   double deterministic = 1e-8;
   /// Tolerance for simulations, in standard errors of the difference between the two runs. The
-  /// standard errors of the two runs are combined in quadrature.
+  /// standard errors of a quantity in the two runs are combined in quadrature.
   double standard_errors = 4;
 
   /// Relative tolerance for the coefficients of a closure. Rounding errors change small
@@ -34,7 +35,7 @@ struct Tolerances {
 };
 
 /// @throws InputError with the name of the option whose value is not a positive number
-void validate(const Tolerances& tolerances);
+void validate(const CheckTolerances& tolerances);
 
 /// Path of the metric with the number of independent streams of a simulation.
 inline constexpr const char* kStreamsMetric = "streams";
@@ -43,19 +44,20 @@ inline constexpr const char* kInterruptedMetric = "interrupted";
 
 /// Returns whether two solutions are simulations that differ in a moment or in the standard error
 /// of a moment. Simulations with the same seed on the same machine are identical.
-bool differs_by_sampling(const transform::Solution& one, const transform::Solution& other);
+bool have_independent_sampling_errors(const transform::Solution& one,
+                                      const transform::Solution& other);
 
 /// Returns the standard error of the mass of a simulation, sqrt((q + 1/n) / n). Here q = 1 - mass
 /// is the fraction of the samples outside the bins, and n the number of effectively independent
-/// samples. The term 1/n allows for one additional sample outside the bins. The result is NaN if
-/// the simulation states no sampling error.
+/// samples. The term 1/n allows for one additional sample outside the bins. For a simulation
+/// without stated sampling error the result is NaN.
 double standard_error_of_mass(const transform::Solution& solution);
 
 /// Changes the kind of a quantity to `simulated_l1` and derives the tolerance from the sampling
-/// error. If the sampling error is unknown, the quantity is unchanged.
-void set_sampling_tolerance(Quantity& quantity,
-                            const std::optional<transform::SamplingError>& sampling,
-                            transform::StateVariable variable, const Tolerances& tolerances);
+/// error. Without a known sampling error the quantity remains unchanged.
+void set_tolerance_from_sampling_error(
+    CheckedQuantity& quantity, const std::optional<transform::MarginalSamplingErrors>& sampling,
+    transform::StateVariable variable, const CheckTolerances& tolerances);
 
 /// Returns the allowed change between two runs of error^power, expressed as the ratio minus 1. A
 /// standard error from n streams has the relative standard deviation 1 / sqrt(2 (n - 1)). The ratio
@@ -64,6 +66,6 @@ void set_sampling_tolerance(Quantity& quantity,
 /// of their changes
 double standard_error_change_tolerance(const transform::Solution& simulation,
                                        std::size_t number_of_errors, double power,
-                                       const Tolerances& tolerances);
+                                       const CheckTolerances& tolerances);
 
 }  // namespace fpkcheck::check

@@ -22,18 +22,19 @@ constexpr const char* kConclusionQuote =
     "when the polynomial order equals six. The tail region of the PDF is also approximated well "
     "for both displacement and velocity.";
 
-std::string marginal_density_names(const Claim& claim) {
+std::string marginal_density_names(const PaperClaim& claim) {
   if (claim.variables.size() > 1) return "both densities";
   return claim.variables.front() == StateVariable::y ? "p(y)" : "p(y')";
 }
 
 }  // namespace
 
-// Each row has the cases, panels, variables, order n, relation, order of the rival, and quotation.
-const std::vector<Claim>& paper_claims() {
+// Each table row has the cases, panels, variables, closure order n, relation, order of the rival
+// closure, and quotation of a claim.
+const std::vector<PaperClaim>& paper_claims() {
   using enum ClaimedRelation;
-  static const std::vector<Claim> all{
-      // Section 3.1 of the paper
+  static const std::vector<PaperClaim> all{
+      // Claims in section 3.1 of the paper
       {kAll, "abcd", kBoth, 2, is_linearisation, 0,
        "EPC (n = 2) is the same as that given by equivalent linearization method in the case of "
        "Gaussian white noise."},
@@ -50,7 +51,7 @@ const std::vector<Claim>& paper_claims() {
       {kCase1, "cd", kYdot, 4, differs, 0,
        "EPC (n = 4) differs from the simulation result unlike EPC (n = 2) and EPC (n = 6)."},
       {kCase1, "", {}, 8, not_found, 0, kOrderEightQuote},
-      // Section 3.2 of the paper
+      // Claims in section 3.2 of the paper
       {kCase2, "ab", kY, 2, differs, 0,
        "EPC (n = 2) differs significantly from the simulated result showing that the PDF of "
        "displacement becomes non-Gaussian due to the increase in excitation intensity."},
@@ -68,7 +69,7 @@ const std::vector<Claim>& paper_claims() {
       {kCase2, "", kY, 2, further_than_in_case_1, 0, kLessGaussianQuote},
       {kCase2, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussianQuote},
       {kCase2, "", {}, 8, not_found, 0, kOrderEightQuote},
-      // Section 3.3 of the paper
+      // Claims in section 3.3 of the paper
       {kCase3, "ab", kY, 2, differs, 0,
        "Compared with Case 1, EPC (n = 2) departs from the simulated result due to the increase in "
        "the nonlinearity coefficient."},
@@ -85,7 +86,7 @@ const std::vector<Claim>& paper_claims() {
       {kCase3, "", kY, 2, further_than_in_case_1, 0, kLessGaussianQuote},
       {kCase3, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussianQuote},
       {kCase3, "", {}, 8, not_found, 0, kOrderEightQuote},
-      // Section 3.4 of the paper
+      // Claims in section 3.4 of the paper
       {kCase4, "ab", kY, 2, differs, 0,
        "the simulated result differs a lot from EPC (n = 2) (i.e., a Gaussian PDF) in the case of "
        "displacement"},
@@ -109,14 +110,14 @@ const std::vector<Claim>& paper_claims() {
       {kCase4, "", kY, 2, further_than_in_case_1, 0, kLessGaussianQuote},
       {kCase4, "", kYdot, 2, further_than_in_case_1, 0, kLessGaussianQuote},
       {kCase4, "", {}, 8, not_found, 0, kOrderEightQuote},
-      // Section 4 of the paper
+      // Claims in section 4 of the paper
       {kAll, "ab", kY, 6, agrees, 0, kConclusionQuote},
       {kAll, "cd", kYdot, 6, agrees, 0, kConclusionQuote},
   };
   return all;
 }
 
-std::string claim_text(const Claim& claim) {
+std::string claim_text(const PaperClaim& claim) {
   return fmt::format(fmt::runtime(base::meaning_of(claim.relation)), fmt::arg("n", claim.order),
                      fmt::arg("rival", claim.rival),
                      fmt::arg("p", claim.variables.empty() ? "" : marginal_density_names(claim)));

@@ -8,9 +8,9 @@
 #include "transform/marginal.hpp"
 
 /// Claims of the paper *Stochastic response of a vibro-impact Duffing system under external Poisson
-/// impulses*, whose method this project checks. The claims concern the four cases in sections 3 and
-/// 4 of the paper. The paper's EPC (n = 2), (n = 4), (n = 6) are the closures epc-gaussian-n2, -n4,
-/// -n6. The paper's MCS is a simulation.
+/// impulses*, whose method this project checks. The claims of the paper concern the four cases in
+/// its sections 3 and 4. The paper's EPC (n = 2), (n = 4), (n = 6) are the closures
+/// epc-gaussian-n2, -n4, -n6. The paper's MCS is a Monte Carlo simulation.
 namespace fpkcheck::paper {
 
 /// Relation between a closure and the simulation that a claim of the paper states.
@@ -44,12 +44,13 @@ constexpr const auto& enumerator_names(ClaimedRelation) { return kRelationNames;
 constexpr std::string_view name(ClaimedRelation relation) { return base::name_of(relation); }
 
 /// A statement of the paper that measured numbers can support or contradict.
-struct Claim {
-  /// Numbers of cases in the paper's Table 1; the claim must hold in every case.
+struct PaperClaim {
+  /// Numbers of the cases in the paper's Table 1 to which a claim refers; the claim must hold in
+  /// every case.
   std::vector<int> cases;
   /// Panels of the paper's figure, e.g. "ab"; empty if no figure shows the claim.
   std::string panels;
-  /// Variables, for each of which the claim must hold.
+  /// Variables (displacement, velocity) for each of which the claim must hold.
   std::vector<transform::StateVariable> variables;
   int order;  ///< order n of the closure
   ClaimedRelation relation;
@@ -61,14 +62,15 @@ struct Claim {
 };
 
 /// Returns all claims of the paper, sorted by case, then in the order of the paper's text.
-const std::vector<Claim>& paper_claims();
+const std::vector<PaperClaim>& paper_claims();
 
 /// Returns the text of a claim, e.g. "n=6 agrees with MCS in p(y)".
-std::string claim_text(const Claim& claim);
+std::string claim_text(const PaperClaim& claim);
 
 std::string paper_closure_id(int order);
 
-/// Methods that are required to judge all claims, in the syntax of SolverRegistry::select_methods.
+/// Methods that are required to judge all claims, in the syntax of
+/// SolverRegistry::methods_selected_by_list.
 inline constexpr const char* kRequiredMethods =
     "epc-gaussian-n2,epc-gaussian-n4,epc-gaussian-n6,epc-gaussian-n8,fd-kf,mcs";
 /// Returns the name of a case of the paper: "case1" .. "case4".

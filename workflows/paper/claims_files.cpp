@@ -17,7 +17,7 @@ namespace {
 
 using results::Json;
 
-std::vector<std::string> variable_names(const Claim& claim) {
+std::vector<std::string> variable_names(const PaperClaim& claim) {
   std::vector<std::string> names;
   for (const auto variable : claim.variables) names.emplace_back(transform::name(variable));
   return names;
@@ -27,21 +27,21 @@ std::string csv_number_text(const std::optional<double>& number) {
   return number ? fmt::format("{:.6g}", *number) : "";
 }
 
-std::string csv_limit_text(const MeasuredNumber& of) {
+std::string csv_limit_text(const MeasuredClaimNumber& of) {
   return of.limit ? fmt::format("{} {:.6g}", of.above ? ">" : "<=", *of.limit) : "";
 }
 
-Json measured_number_json(const MeasuredNumber& of) {
+Json measured_number_json(const MeasuredClaimNumber& of) {
   Json json{{"value", results::number_or_null_json(of.value)}};
   json["wanted"] = of.limit ? Json{{of.above ? "above" : "at_most", *of.limit}} : Json();
   return json;
 }
 
 Json claim_judgement_json(const ClaimJudgement& judgement) {
-  const Claim& claim = judgement.claim;
+  const PaperClaim& claim = judgement.claim;
   Json figures = Json::array();
   for (const int number : claim.cases) {
-    if (!claim.panels.empty()) figures.push_back(Claim::figure_number(number));
+    if (!claim.panels.empty()) figures.push_back(PaperClaim::figure_number(number));
   }
   return {{"cases", claim.cases},
           {"figures", figures},
@@ -61,9 +61,9 @@ Json claim_judgement_json(const ClaimJudgement& judgement) {
 }
 
 void add_claims(std::span<const ClaimJudgement> judgements, Json& json) {
-  json["criteria"] = {{"agreement_l1", kAgreementL1},
-                      {"agreement_in_tail", kAgreementInTail},
-                      {"same_gaussian_l1", kSameGaussianL1}};
+  json["criteria"] = {{"agreement_l1", kMaxL1OfClaimedAgreement},
+                      {"agreement_in_tail", kMaxTailDistanceOfClaimedAgreement},
+                      {"same_gaussian_l1", kMaxL1BetweenEqualGaussians}};
   Json& all = json["claims"] = Json::array();
   for (const auto& judgement : judgements) all.push_back(claim_judgement_json(judgement));
 }
@@ -75,7 +75,7 @@ std::string claims_csv(std::span<const ClaimJudgement> judgements) {
       "case,figure,claim,n,density,relation,rival,l1,l1_wanted,tail,tail_wanted,status,outcome,note,"
       "quote\n";
   for (const auto& judgement : judgements) {
-    const Claim& claim = judgement.claim;
+    const PaperClaim& claim = judgement.claim;
     const std::string fields[] = {claim_cases_text(claim),
                                   claim_figure_text(claim),
                                   claim_text(claim),

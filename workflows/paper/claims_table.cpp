@@ -18,15 +18,15 @@ namespace fpkcheck::paper {
 namespace {
 
 using report::kAlwaysShown;
-using report::TextColumn;
+using report::TextTableColumn;
 
-std::string limit_text(const MeasuredNumber& of, const std::string& limit) {
+std::string limit_text(const MeasuredClaimNumber& of, const std::string& limit) {
   return limit.empty() ? "" : fmt::format("{} {}", of.above ? ">" : "<=", limit);
 }
 
 // The relation `differs` holds if the L1 distance or the tail distance exceeds its limit.
 std::string tail_limit_text(const ClaimJudgement& judgement) {
-  const std::string text = limit_text(judgement.tail, tail_text(judgement.tail.limit));
+  const std::string text = limit_text(judgement.tail, tail_distance_text(judgement.tail.limit));
   return judgement.claim.relation == ClaimedRelation::differs && !text.empty() ? "or " + text
                                                                                : text;
 }
@@ -36,16 +36,16 @@ std::string cell_or_dash(const std::string& cell) {
 }
 
 std::string claim_rows_text(std::span<const ClaimJudgement> judgements,
-                            const report::TextFormat& format) {
+                            const report::TerminalTextFormat& format) {
   constexpr int kLimits = 1;
-  std::vector<TextColumn> columns{{"", "case", true, kAlwaysShown},
-                                  {"", "fig.", true, kAlwaysShown},
-                                  {"", "claim of the paper", true, kAlwaysShown},
-                                  {"L1", "is", false, kAlwaysShown},
-                                  {"L1", "required", true, kLimits},
-                                  {"tail", "is", false, kAlwaysShown},
-                                  {"tail", "required", true, kLimits},
-                                  {"", "outcome", true, kAlwaysShown}};
+  std::vector<TextTableColumn> columns{{"", "case", true, kAlwaysShown},
+                                       {"", "fig.", true, kAlwaysShown},
+                                       {"", "claim of the paper", true, kAlwaysShown},
+                                       {"L1", "is", false, kAlwaysShown},
+                                       {"L1", "required", true, kLimits},
+                                       {"tail", "is", false, kAlwaysShown},
+                                       {"tail", "required", true, kLimits},
+                                       {"", "outcome", true, kAlwaysShown}};
   for (const auto& row : claim_table_rows(judgements)) {
     report::add_table_row(columns,
                           {row.cases, cell_or_dash(row.figure), row.claim, cell_or_dash(row.l1),
@@ -54,8 +54,8 @@ std::string claim_rows_text(std::span<const ClaimJudgement> judgements,
   return report::format_text_table(std::move(columns), format);
 }
 
-// Returns the claims with a given outcome. Each claim occurs once, with the cases that have the
-// outcome, e.g. "n=6 agrees with MCS in p(y) (case 1, 2)".
+// Returns the claims of the paper with a given outcome. Each claim occurs once, with the cases that
+// have this outcome, e.g. "n=6 agrees with MCS in p(y) (case 1, 2)".
 std::string claims_with_outcome(std::span<const ClaimJudgement> judgements, ClaimOutcome outcome) {
   std::vector<std::pair<std::string, std::string>> claims;
   for (const auto& judgement : judgements) {
@@ -77,8 +77,8 @@ std::string claims_with_outcome(std::span<const ClaimJudgement> judgements, Clai
 
 }  // namespace
 
-std::vector<ClaimRow> claim_table_rows(std::span<const ClaimJudgement> judgements) {
-  std::vector<ClaimRow> all;
+std::vector<ClaimTableRow> claim_table_rows(std::span<const ClaimJudgement> judgements) {
+  std::vector<ClaimTableRow> all;
   for (const auto& judgement : judgements) {
     all.push_back({.cases = claim_cases_text(judgement.claim),
                    .figure = claim_figure_text(judgement.claim),
@@ -114,7 +114,7 @@ std::vector<std::string> claim_notes(std::span<const ClaimJudgement> judgements)
   return lines;
 }
 
-std::vector<std::string> criteria_sentences() {
+std::vector<std::string> claim_criteria_sentences() {
   return {
       fmt::format("MCS: the simulation; n: the order of the paper's closure, epc-gaussian. L1: "
                   "integral of |p - MCS|. tail: mean |log10 p - log10 MCS| where MCS is 1e-5 .. "
@@ -125,22 +125,22 @@ std::vector<std::string> criteria_sentences() {
                   "more than the error of the reference (L1: its error estimate; tail: its "
                   "distance to finite volumes). less Gaussian: the L1 of n=2, a Gaussian, is "
                   "larger than in case 1.",
-                  kAgreementL1, kAgreementInTail),
+                  kMaxL1OfClaimedAgreement, kMaxTailDistanceOfClaimedAgreement),
       fmt::format("equivalent linearisation: L1 to its Gaussian at most {:g}. not found: plain "
                   "Newton steps from equivalent linearisation find no root.",
-                  kSameGaussianL1)};
+                  kMaxL1BetweenEqualGaussians)};
 }
 
-std::string claim_cases_text(const Claim& claim) {
+std::string claim_cases_text(const PaperClaim& claim) {
   const auto& cases = claim.cases;
   return cases.size() == 1 ? fmt::format("{}", cases.front())
                            : fmt::format("{}-{}", cases.front(), cases.back());
 }
 
-std::string claim_figure_text(const Claim& claim) {
+std::string claim_figure_text(const PaperClaim& claim) {
   if (claim.panels.empty()) return "";
-  const int first = Claim::figure_number(claim.cases.front()),
-            last = Claim::figure_number(claim.cases.back());
+  const int first = PaperClaim::figure_number(claim.cases.front()),
+            last = PaperClaim::figure_number(claim.cases.back());
   return first == last ? fmt::format("{}{}", first, claim.panels)
                        : fmt::format("{}-{}", first, last);
 }
@@ -156,7 +156,7 @@ std::string claim_count_sentence(std::span<const ClaimJudgement> judgements) {
   return fmt::format("{} claims of the paper: {}.", judgements.size(), fmt::join(parts, "; "));
 }
 
-std::vector<std::string> outcome_summary(std::span<const ClaimJudgement> judgements) {
+std::vector<std::string> claim_outcome_summary(std::span<const ClaimJudgement> judgements) {
   std::vector<std::string> sentences{claim_count_sentence(judgements)};
   for (const auto outcome :
        {ClaimOutcome::qualified, ClaimOutcome::not_established, ClaimOutcome::unjudged}) {
@@ -170,13 +170,13 @@ std::vector<std::string> outcome_summary(std::span<const ClaimJudgement> judgeme
 }
 
 std::string claims_table_text(std::span<const ClaimJudgement> judgements,
-                              const report::TextFormat& format) {
+                              const report::TerminalTextFormat& format) {
   std::string text = claim_rows_text(judgements, format);
   for (const auto& line : claim_notes(judgements)) {
     text += report::wrap_text("  " + line, format.width, 4);
   }
   text += '\n';
-  for (const auto& sentence : criteria_sentences()) {
+  for (const auto& sentence : claim_criteria_sentences()) {
     text += report::wrap_text(sentence, format.width);
   }
   return text + '\n' + report::wrap_text(claim_count_sentence(judgements), format.width);

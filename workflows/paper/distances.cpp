@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// A budget row has only the bins in which its closure is positive. A closure with fewer bins in the
-// tail than other closures is 0 in a part of the tail.
+// A row of the error budget has only the bins in which its closure density is positive. A closure
+// with fewer bins in the tail than other closures is 0 in a part of the tail.
 int tail_bin_count(const results::CaseResult& one, transform::StateVariable variable) {
   int most = 0;
   for (const auto& row : one.budget) {
@@ -27,12 +27,12 @@ int tail_bin_count(const results::CaseResult& one, transform::StateVariable vari
   return most;
 }
 
-// A Richardson limit is no solution of the case. If the total distance refers to a Richardson
-// limit, the error estimate of the case's reference is used.
+// If the total distance refers to a Richardson limit, which is no solution of the case, the error
+// estimate of the case's reference is used.
 double reference_l1_error_estimate(const results::CaseResult& one,
                                    const compare::ErrorBudgetRow& row) {
   const auto* reference = one.find(row.reference);
-  if (reference == nullptr) reference = one.reference();
+  if (reference == nullptr) reference = one.reference_solution();
   return reference == nullptr ? kInfinity : compare::l1_error_estimate(*reference, row.variable);
 }
 
@@ -65,7 +65,7 @@ std::optional<ClosureDistance> closure_distance_to_simulation(const results::Cas
                                  paper_closure_id(order), one.name());
     return std::nullopt;
   }
-  if (!(distance.l1_error <= kMaxReferenceErrorFraction * kAgreementL1)) {
+  if (!(distance.l1_error <= kMaxReferenceErrorFraction * kMaxL1OfClaimedAgreement)) {
     missing_reason =
         fmt::format("the reference of {} has an error of up to L1 {:.2g}: simulate longer",
                     one.name(), distance.l1_error);

@@ -15,7 +15,8 @@ struct ClosureDistance {
   /// the tail is resolved.
   double tail = 0;
   double l1_error = 0;  ///< L1 error estimate of the reference
-  /// Tail distance between the finite-volume solution and the simulation; 0 if unknown.
+  /// Tail distance between the finite-volume solution and the simulation, an error estimate of tail
+  /// distances; 0 if unknown.
   double tail_error = 0;
 };
 

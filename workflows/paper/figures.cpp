@@ -28,8 +28,8 @@ std::vector<std::pair<std::string, std::string>> ids_and_paper_names() {
   return names;
 }
 
-// Returns the case with only the four solutions of the paper's figure, under the names of the
-// paper.
+// Returns the results of a case with only the four solutions of the paper's figure, under the
+// paper's names.
 CaseResult paper_figure_case(const CaseResult& case_result) {
   CaseResult shown{.problem = case_result.problem};
   for (const auto& [id, paper_name] : ids_and_paper_names()) {
@@ -44,7 +44,7 @@ CaseResult paper_figure_case(const CaseResult& case_result) {
       shown.curves.back().solution = paper_name;
     }
   }
-  shown.assess();
+  shown.update_assessment();
   return shown;
 }
 
@@ -56,7 +56,7 @@ void for_each_paper_figure(const results::Run& run, const Use& use) {
     const auto case_result =
         std::ranges::find(run.cases, paper_case_name(number), &CaseResult::name);
     if (case_result == run.cases.end()) continue;
-    const int figure = Claim::figure_number(number);
+    const int figure = PaperClaim::figure_number(number);
     const CaseResult shown = paper_figure_case(*case_result);
     auto content = report::density_content_for_picture(shown);
     if (content.marginals.empty()) continue;
@@ -78,9 +78,9 @@ std::string figure_stem(int figure) { return fmt::format("paper-fig-{}", figure)
 
 }  // namespace
 
-std::vector<report::PictureScript> paper_figure_scripts(const results::Run& run,
-                                                        report::FigureWidth width) {
-  std::vector<report::PictureScript> all;
+std::vector<report::PictureGnuplotScript> paper_figure_scripts(const results::Run& run,
+                                                               report::FigureWidth width) {
+  std::vector<report::PictureGnuplotScript> all;
   for_each_paper_figure(
       run, [&](int figure, const CaseResult& shown, const report::DensityFigureContent& content) {
         const std::string stem = figure_stem(figure);
@@ -92,8 +92,8 @@ std::vector<report::PictureScript> paper_figure_scripts(const results::Run& run,
   return all;
 }
 
-std::vector<std::vector<report::PagePlot>> paper_figure_plots(const results::Run& run) {
-  std::vector<std::vector<report::PagePlot>> all;
+std::vector<std::vector<report::ReportPagePlot>> paper_figure_plots(const results::Run& run) {
+  std::vector<std::vector<report::ReportPagePlot>> all;
   for_each_paper_figure(
       run, [&](int figure, const CaseResult& shown, const report::DensityFigureContent& content) {
         auto shown_content = content;

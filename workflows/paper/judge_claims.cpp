@@ -19,7 +19,8 @@ using transform::Status;
 
 class ClaimJudge {
  public:
-  ClaimJudge(const results::Run& run, const Claim& claim) : run_(run), judgement_{.claim = claim} {}
+  ClaimJudge(const results::Run& run, const PaperClaim& claim)
+      : run_(run), judgement_{.claim = claim} {}
 
   ClaimJudgement make_judgement() {
     store_closure_status();
@@ -36,7 +37,7 @@ class ClaimJudge {
   }
 
  private:
-  const Claim& claim() const { return judgement_.claim; }
+  const PaperClaim& claim() const { return judgement_.claim; }
 
   const CaseResult* find_case(int number) {
     const auto found = std::ranges::find(run_.cases, paper_case_name(number), &CaseResult::name);
@@ -64,7 +65,8 @@ class ClaimJudge {
     }
   }
 
-  // Returns the maximum of each distance over the given cases and the variables of the claim.
+  // Returns the maxima of L1 distance and tail distance over the given cases and over the variables
+  // of the claim.
   std::optional<ClosureDistance> largest_distance(int order, const std::vector<int>& cases) {
     ClosureDistance worst;
     for (const int number : cases) {
@@ -80,14 +82,14 @@ class ClaimJudge {
     return worst;
   }
 
-  // Returns whether the tail distance exists, and otherwise sets the reason.
+  // Returns whether the tail distance exists, and otherwise sets the reason for the missing value.
   bool require_tail_distance(const ClosureDistance& distance) {
     if (!std::isnan(distance.tail)) return true;
     missing_reason_ = "no bin of the tail is positive and resolved in all solutions";
     return false;
   }
 
-  // Returns whether the claim holds; empty if a required number is missing.
+  // Returns whether a claim of the paper holds; empty if a required number is missing.
   std::optional<bool> evaluate_claim() {
     using enum ClaimedRelation;
     const ClaimedRelation relation = claim().relation;
@@ -112,7 +114,8 @@ class ClaimJudge {
     const bool uses_tail = relation != closer_in_l1;
     if (uses_tail && !require_tail_distance(*closure_distance)) return std::nullopt;
     const bool differ = relation == differs || relation == differs_in_tail;
-    ClosureDistance limit{.l1 = kAgreementL1, .tail = kAgreementInTail};
+    ClosureDistance limit{.l1 = kMaxL1OfClaimedAgreement,
+                          .tail = kMaxTailDistanceOfClaimedAgreement};
     if (claim().rival != 0) {
       const auto rival = largest_distance(claim().rival, claim().cases);
       if (!rival || (uses_tail && !require_tail_distance(*rival))) return std::nullopt;
@@ -142,7 +145,7 @@ class ClaimJudge {
         largest = std::max(largest, l1_to_equivalent_linearisation(*curve, case_result->problem));
       }
     }
-    judgement_.l1 = {largest, kSameGaussianL1};
+    judgement_.l1 = {largest, kMaxL1BetweenEqualGaussians};
     return judgement_.l1.satisfies_limit();
   }
 
@@ -180,7 +183,7 @@ class ClaimJudge {
 
   std::string unmet_limits_text() const {
     std::string text;
-    const auto add = [&](const char* what, const MeasuredNumber& of, const std::string& value,
+    const auto add = [&](const char* what, const MeasuredClaimNumber& of, const std::string& value,
                          const std::string& limit) {
       if (!of.limit || of.satisfies_limit()) return;
       text += fmt::format("{}{} {} is {} {}", text.empty() ? "" : ", ", what, value,
@@ -188,7 +191,7 @@ class ClaimJudge {
     };
     const auto& [l1, tail] = std::tie(judgement_.l1, judgement_.tail);
     add("L1", l1, l1_distance_text(l1.value), l1_distance_text(l1.limit));
-    add("tail", tail, tail_text(tail.value), tail_text(tail.limit));
+    add("tail", tail, tail_distance_text(tail.value), tail_distance_text(tail.limit));
     return text;
   }
 
@@ -223,7 +226,7 @@ std::string l1_distance_text(const std::optional<double>& l1) {
   return l1 ? without_trailing_zeros(report::l1_distance_text(*l1)) : "";
 }
 
-std::string tail_text(const std::optional<double>& tail) {
+std::string tail_distance_text(const std::optional<double>& tail) {
   return tail ? without_trailing_zeros(fmt::format("{:.3f}", *tail)) : "";
 }
 

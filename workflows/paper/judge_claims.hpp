@@ -23,10 +23,10 @@ inline constexpr base::EnumEntry<ClaimOutcome> kOutcomeNames[] = {
 constexpr const auto& enumerator_names(ClaimOutcome) { return kOutcomeNames; }
 constexpr std::string_view name(ClaimOutcome outcome) { return base::name_of(outcome); }
 
-struct MeasuredNumber {
+struct MeasuredClaimNumber {
   std::optional<double> value{};
   std::optional<double> limit{};
-  /// Whether the measured value must be above the limit, instead of at most the limit.
+  /// Whether the claim requires a value above the limit, instead of a value of at most the limit.
   bool above = false;
 
   bool satisfies_limit() const {
@@ -36,16 +36,16 @@ struct MeasuredNumber {
 
 /// Claim of the paper, the measured numbers that decide the claim, and the outcome.
 struct ClaimJudgement {
-  Claim claim;
+  PaperClaim claim;
   /// Largest L1 distance between closure and simulation over the cases and variables of the claim.
   /// For the relation is_linearisation, `l1` is the L1 distance to the Gaussian of equivalent
-  /// linearisation. If `l1` has no limit, tables show the L1 distance, but it does not influence
-  /// the outcome of the claim.
-  MeasuredNumber l1{};
+  /// linearisation. If `l1` has no limit, tables show the L1 distance, which does not influence the
+  /// outcome of the claim.
+  MeasuredClaimNumber l1{};
   /// Tail distance compare::ErrorBudgetRow::total_tail: mean |log10 p - log10 MCS| over the bins
   /// with an MCS density of 1e-5 .. 1e-3. The tail distance is infinite if the closure is 0 in a
   /// bin of the tail.
-  MeasuredNumber tail{};
+  MeasuredClaimNumber tail{};
   /// Status of the closure in the first case in which this status is not `ok`; `ok` if no such case
   /// exists.
   std::optional<transform::Status> status{};
@@ -60,6 +60,6 @@ struct ClaimJudgement {
 std::vector<ClaimJudgement> judge_claims(const results::Run& run);
 
 std::string l1_distance_text(const std::optional<double>& l1);
-std::string tail_text(const std::optional<double>& tail);
+std::string tail_distance_text(const std::optional<double>& tail);
 
 }  // namespace fpkcheck::paper

@@ -20,15 +20,15 @@ std::string list_html(const std::vector<std::string>& lines) {
 }
 
 std::string claims_table_html(std::span<const ClaimJudgement> judgements) {
-  using report::Align;
-  std::vector<report::HtmlColumn> columns{{"case", Align::left},
-                                          {"Fig.", Align::left},
-                                          {"claim of the paper", Align::left},
-                                          {"L1"},
-                                          {"required", Align::left},
-                                          {"tail"},
-                                          {"required", Align::left},
-                                          {"outcome", Align::left}};
+  using report::TextAlignment;
+  std::vector<report::HtmlTableColumn> columns{{"case", TextAlignment::left},
+                                               {"Fig.", TextAlignment::left},
+                                               {"claim of the paper", TextAlignment::left},
+                                               {"L1"},
+                                               {"required", TextAlignment::left},
+                                               {"tail"},
+                                               {"required", TextAlignment::left},
+                                               {"outcome", TextAlignment::left}};
   columns.back().is_status = true;
   for (const auto& row : claim_table_rows(judgements)) {
     const std::string* const cells[] = {&row.cases,    &row.figure, &row.claim,      &row.l1,
@@ -49,17 +49,17 @@ std::string claim_quotations_html(std::span<const ClaimJudgement> judgements) {
   return report::collapsible_html("claims-quotes", "Quotations of the claims", list_html(lines));
 }
 
-report::PageSection claims_section(std::span<const ClaimJudgement> judgements,
-                                   const results::Run& run) {
-  report::PageSection section{.anchor = "claims",
-                              .heading = "The paper's claims",
-                              .html = {},
-                              .groups = paper_figure_plots(run)};
-  auto sentences = outcome_summary(judgements);
+report::ReportPageSection claims_section(std::span<const ClaimJudgement> judgements,
+                                         const results::Run& run) {
+  report::ReportPageSection section{.anchor = "claims",
+                                    .heading = "The paper's claims",
+                                    .html = {},
+                                    .groups = paper_figure_plots(run)};
+  auto sentences = claim_outcome_summary(judgements);
   sentences.erase(sentences.begin());  // the page begins with the closing sentence
   for (const auto& sentence : sentences) section.html += report::html_element("p", sentence);
   section.html += claims_table_html(judgements);
-  for (const auto& sentence : criteria_sentences())
+  for (const auto& sentence : claim_criteria_sentences())
     section.html += report::html_element("p", sentence);
   section.html += report::collapsible_html("claims-notes", "Notes on single claims",
                                            list_html(claim_notes(judgements))) +
@@ -74,10 +74,10 @@ report::PageSection claims_section(std::span<const ClaimJudgement> judgements,
 
 }  // namespace
 
-report::Supplement claims_supplement(std::span<const ClaimJudgement> judgements,
-                                     const results::Run& run, report::FigureWidth width,
-                                     const report::TextFormat& format) {
-  return {.summary = outcome_summary(judgements),
+report::ReportSupplement claims_supplement(std::span<const ClaimJudgement> judgements,
+                                           const results::Run& run, report::FigureWidth width,
+                                           const report::TerminalTextFormat& format) {
+  return {.summary = claim_outcome_summary(judgements),
           .text = '\n' + claims_table_text(judgements, format),
           .sections = {claims_section(judgements, run)},
           .files = {{kClaimsCsv, claims_csv(judgements)},

@@ -15,9 +15,9 @@ namespace fpkcheck::paper {
 /// Returns the claims of the paper, and the paper's figures, as a supplement to the report of a
 /// run.
 /// @param format text format of the table for the terminal
-report::Supplement claims_supplement(std::span<const ClaimJudgement> judgements,
-                                     const results::Run& run, report::FigureWidth width,
-                                     const report::TextFormat& format = {});
+report::ReportSupplement claims_supplement(std::span<const ClaimJudgement> judgements,
+                                           const results::Run& run, report::FigureWidth width,
+                                           const report::TerminalTextFormat& format = {});
 
 /// Returns whether a run is a complete run of `fpkcheck paper`, whose report includes the claims.
 bool is_paper_run(const results::Run& run);
@@ -39,14 +39,14 @@ std::string summary_json_with_claims(std::span<const ClaimJudgement> judgements,
                                      const results::Run& run);
 
 /// Returns the paper's Figs. 2-5, one figure for each case, with the curves EPC (n = 2), (n = 4),
-/// (n = 6) and MCS. The panels are (a) p(y), (b) the logarithm of p(y), (c) p(y'), (d) the
-/// logarithm of p(y'). If the status of a closure is not `ok`, the legend states the status. A case
-/// without any of these four densities has no figure.
-std::vector<report::PictureScript> paper_figure_scripts(
+/// (n = 6) and MCS. The panels of each figure are (a) p(y), (b) the logarithm of p(y), (c) p(y'),
+/// (d) the logarithm of p(y'). If the status of a closure is not `ok`, the legend states the
+/// status. A case without any of the four curves has no figure.
+std::vector<report::PictureGnuplotScript> paper_figure_scripts(
     const results::Run& run, report::FigureWidth width = report::FigureWidth::screen);
 
 /// Returns two plots for each figure of the paper. The first plot has the panels a and b, the
 /// second plot the panels c and d.
-std::vector<std::vector<report::PagePlot>> paper_figure_plots(const results::Run& run);
+std::vector<std::vector<report::ReportPagePlot>> paper_figure_plots(const results::Run& run);
 
 }  // namespace fpkcheck::paper

@@ -22,7 +22,7 @@ using transform::StateVariable;
 Method reference_method(const SolverRegistry& registry) {
   std::vector<Method> candidates;
   for (auto& variant : method_variants(registry, transform::SolutionRole::equation)) {
-    if (variant.usual && variant.solves_full_problem())
+    if (variant.is_default_variant && variant.solves_full_problem())
       candidates.push_back(std::move(variant.first));
   }
   if (candidates.empty()) {
@@ -48,8 +48,8 @@ std::vector<MethodVariant> closure_variants(const SolverRegistry& registry) {
   return all;
 }
 
-// Required accuracy that every closure satisfies, so that no closure is `inaccurate` and the study
-// shows all closures.
+// Accuracy option so large that no closure has the status `inaccurate`, and the study shows all
+// closures.
 constexpr double kUnlimitedError = 10;
 
 Method closure_of_order(const SolverRegistry& registry, const MethodVariant& formulation,
@@ -61,9 +61,9 @@ Method closure_of_order(const SolverRegistry& registry, const MethodVariant& for
   return std::move(*method);
 }
 
-void set_reference_distances(const std::vector<compare::PairDistances>& pairs,
+void set_reference_distances(const std::vector<compare::SolutionPairDistances>& pairs,
                              const std::string& reference, ClosureOrderRow& row) {
-  // The tail is the decade 1e-5 .. 1e-4 of the reference density.
+  // The density tail in an order study is the decade 1e-5 .. 1e-4 of the reference density.
   constexpr double kTailStart = 1e-5;
   const std::string& id = row.solution.id();
   const auto y = compare::l1_distance_between(pairs, id, reference, StateVariable::y);
@@ -118,7 +118,7 @@ ClosureOrderStudy study_closure_orders(const problem::Problem& problem,
   std::vector<Method> methods;
   for (const auto& name : options.formulations) {
     const MethodVariant& formulation = find_formulation(name, known);
-    const bool must_converge = formulation.usual && formulation.solves_full_problem();
+    const bool must_converge = formulation.is_default_variant && formulation.solves_full_problem();
     for (const int order : orders) {
       methods.push_back(closure_of_order(registry, formulation, order));
       study.rows.push_back({formulation.name, order, must_converge, {}});
@@ -135,8 +135,9 @@ ClosureOrderStudy study_closure_orders(const problem::Problem& problem,
 }
 
 bool has_converged(const ClosureOrderStudy& study) {
-  return study.reference.is_ok() && std::ranges::all_of(study.rows, [](const ClosureOrderRow& row) {
-           return row.solution.is_ok() || !row.must_converge;
+  return study.reference.has_status_ok() &&
+         std::ranges::all_of(study.rows, [](const ClosureOrderRow& row) {
+           return row.solution.has_status_ok() || !row.must_converge;
          });
 }
 

@@ -27,7 +27,7 @@ std::vector<std::string> closure_formulations(const methods::SolverRegistry& reg
 /// Branch of closure solutions that begins at a problem with a known exact solution.
 struct SolutionBranch {
   struct Point {
-    /// Position on the branch, from 0 (exactly solved problem) to 1 (full problem).
+    /// Position on a solution branch, from 0 (exactly solved problem) to 1 (full problem).
     double fraction;
     double norm;  ///< norm of the coefficients of the closure
     bool fold;    ///< whether the fraction has an extremum at this point
@@ -37,17 +37,18 @@ struct SolutionBranch {
   std::vector<Point> points;
 };
 
-/// Reads the solution branch from the metrics "branch" of a solution. The result is empty if the
-/// solution has no metrics "branch".
+/// Reads the solution branch from the metrics "branch" of a solution. If the solution has no
+/// metrics "branch", the result is empty.
 std::optional<SolutionBranch> read_solution_branch(const transform::Metrics& metrics);
 
 struct ClosureOrderRow {
   std::string formulation;
   int order = 0;
-  /// Whether the closure must converge, as a default variant that solves the full problem.
+  /// Whether the study fails without convergence of this closure, a default variant that solves the
+  /// full problem.
   bool must_converge = false;
   transform::Solution solution;
-  /// L1 distances of p(y) and p(y') from the reference.
+  /// L1 distances of the closure's p(y) and p(y') from the reference densities.
   std::optional<MarginalL1Distances> l1 = {};
   /// Tail distances: mean |log10 p - log10 reference| over the bins with a reference density of
   /// 1e-5 .. 1e-4.
@@ -59,7 +60,7 @@ struct ClosureOrderStudy {
   static constexpr const char* kFileStem = "study-order";
   problem::Problem problem;
   transform::Solution reference;
-  /// Rows sorted by formulation in the given order, then by order n.
+  /// Table rows sorted by closure formulation, then by closure order n.
   std::vector<ClosureOrderRow> rows;
 };
 
@@ -82,11 +83,12 @@ std::string study_json_text(const ClosureOrderStudy& study, const std::string& c
 std::string study_csv_text(const ClosureOrderStudy& study);
 /// Returns the table of the closures, the reasons for statuses other than `ok`, the folds and the
 /// convergence.
-std::string study_table_text(const ClosureOrderStudy& study, const report::TextFormat& format);
+std::string study_table_text(const ClosureOrderStudy& study,
+                             const report::TerminalTextFormat& format);
 /// Returns a figure with panels of the L1 distances against the order n and panels of the solution
 /// branches.
 report::Figure study_figure(const ClosureOrderStudy& study);
 
-StudyRecord make_record(const ClosureOrderRow& row);
+StudyRecord make_study_record(const ClosureOrderRow& row);
 
 }  // namespace fpkcheck::study

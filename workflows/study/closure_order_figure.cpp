@@ -26,7 +26,7 @@ report::FigurePanel distance_panel(const ClosureOrderStudy& study, const char* t
         if (!row.l1) return std::nullopt;
         return report::FigurePoint{.x = static_cast<double>(row.order),
                                    .y = (*row.l1).*distance,
-                                   .open = !row.solution.is_ok()};
+                                   .open = !row.solution.has_status_ok()};
       });
   return {
       .title = title,
@@ -38,7 +38,7 @@ report::FigurePanel distance_panel(const ClosureOrderStudy& study, const char* t
       .series = series};
 }
 
-// Each closure with a branch has a line, and each fold of a branch has a mark.
+// Each closure with a solution branch has a line, and each fold of a branch has a mark.
 std::vector<FigureSeries> branch_series(const ClosureOrderStudy& study) {
   std::vector<FigureSeries> all;
   FigureSeries folds{.name = "fold of a branch", .colour = "#444444", .symbol = "circle-open"};

@@ -12,7 +12,7 @@ namespace fpkcheck::study {
 
 using base::Value;
 
-StudyRecord make_record(const ClosureOrderRow& row) {
+StudyRecord make_study_record(const ClosureOrderRow& row) {
   const auto& [identity, equation, impact] =
       std::tie(row.solution.identity, row.solution.identity.equation, row.solution.identity.impact);
   const auto number = [&](double of_density) {
@@ -26,11 +26,11 @@ StudyRecord make_record(const ClosureOrderRow& row) {
                      {"mass", number(row.solution.mass)},
                      {"min_density", number(row.solution.min_density)},
                      {"energy_residual", number(row.solution.energy_residual)}};
-  add_solution_outcome(row.solution, row.l1, record);
+  add_status_and_distances(row.solution, row.l1, record);
   record.push_back({"tail_y", transform::value_from_optional(row.tail_y)});
   record.push_back({"tail_ydot", transform::value_from_optional(row.tail_ydot)});
   for (const auto& observation : row.solution.metrics) {
-    // The record of the closure already has the formulation and the order.
+    // The record of a closure already has the values formulation and order.
     if (observation.path == "formulation" || observation.path == "order") continue;
     record.push_back({observation.path, observation.value});
   }
@@ -44,12 +44,12 @@ std::string study_json_text(const ClosureOrderStudy& study, const std::string& c
                                 {"reference.status", std::string(name(reference.status))},
                                 {"reference.reason", reference.reason},
                                 {"reference.seconds", reference.seconds}},
-                               {{"rows", make_records(study.rows)}});
+                               {{"rows", make_study_records(study.rows)}});
 }
 
 std::string study_csv_text(const ClosureOrderStudy& study) {
   return records_csv_text(
-      make_records(study.rows),
+      make_study_records(study.rows),
       "formulation order status iterations residual condition l1_y l1_ydot tail_y tail_ydot seconds");
 }
 
@@ -61,7 +61,7 @@ std::string closure_name(const ClosureOrderRow& row) {
   return fmt::format("{} n = {}", row.formulation, row.order);
 }
 
-// Returns the sign of the leading form of Q_n without the confinement term.
+// Returns the sign of the leading form of the exponent Q_n without the confinement term.
 std::string leading_form_text(const ClosureOrderRow& row) {
   const auto& metrics = row.solution.metrics;
   auto form = transform::metric_text(metrics, "tail.polynomial_leading_form");
@@ -70,9 +70,10 @@ std::string leading_form_text(const ClosureOrderRow& row) {
   return *form == "negative" ? "falls" : "rises";
 }
 
-std::string closure_table_text(const ClosureOrderStudy& study, const report::TextFormat& format) {
+std::string closure_table_text(const ClosureOrderStudy& study,
+                               const report::TerminalTextFormat& format) {
   const std::string l1 = "L1 to " + study.reference.id();
-  auto rows = make_records(study.rows);
+  auto rows = make_study_records(study.rows);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     rows[k].push_back({"leading", leading_form_text(study.rows[k])});
     rows[k].push_back({"ms", study.rows[k].solution.seconds * 1000});
@@ -150,7 +151,7 @@ std::string convergence_text(const ClosureOrderStudy& study, std::size_t width) 
     const std::string& formulation = row->formulation;
     std::vector<const ClosureOrderRow*> good;
     for (; row != study.rows.end() && row->formulation == formulation; ++row) {
-      if (row->solution.is_ok() && row->l1) good.push_back(&*row);
+      if (row->solution.has_status_ok() && row->l1) good.push_back(&*row);
     }
     text += wrap_text("  " + convergence_sentence(formulation, good), width, 2);
   }
@@ -167,7 +168,8 @@ constexpr const char* kLegend =
 
 }  // namespace
 
-std::string study_table_text(const ClosureOrderStudy& study, const report::TextFormat& format) {
+std::string study_table_text(const ClosureOrderStudy& study,
+                             const report::TerminalTextFormat& format) {
   const std::size_t width = format.width;
   std::string text =
       wrap_text(report::case_title(study.problem), width, 2) + closure_table_text(study, format);

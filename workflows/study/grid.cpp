@@ -18,11 +18,12 @@ namespace {
 using transform::GridLevel;
 using transform::Solution;
 
-// Largest density on the outer boundary of the grid, relative to the peak. With a boundary density
-// of 1e-9 the mass outside the grid does not limit the convergence.
+// Option of the study's grids: largest density on the outer boundary of the grid, relative to the
+// peak. With a boundary density of 1e-9 the mass outside the grid does not limit the convergence.
 constexpr double kWallDensity = 1e-9;
 
-/// All grids and other methods have common comparison axes, options and progress listener.
+/// Solver of a grid study: all grids and compared methods share the comparison axes, the options
+/// and the progress listener.
 class GridStudySolver {
  public:
   GridStudySolver(const problem::Problem& problem, const GridStudyOptions& options,
@@ -33,23 +34,25 @@ class GridStudySolver {
         listener_(listener),
         total_(total) {}
 
-  GridRow grid(int order, int level) {
-    GridRow row{.order = order,
-                .level = level,
-                .refinement = options_.coarsest * std::pow(transform::kRefinementRatio, level - 1),
-                .solution = {}};
+  GridStudyRow grid(int order, int level) {
+    GridStudyRow row{
+        .order = order,
+        .level = level,
+        .refinement = options_.coarsest * std::pow(transform::kRefinementRatio, level - 1),
+        .solution = {}};
     report_progress(fmt::format("order {}, level {}", order, level), 0, "");
-    auto found = fd_fpk::solve(problem_, {.equation = options_.equation,
-                                          .impact = options_.impact,
-                                          .stepper = fd_fpk::StationarySolver::direct,
-                                          .order = order,
-                                          .refinement = row.refinement,
-                                          .origin_refinement = options_.origin_refinement,
-                                          .x1_max = y_max_,
-                                          .x2_max = v_max_,
-                                          .wall_density = kWallDensity,
-                                          .refine_unresolved = false,
-                                          .error_estimate = false});
+    auto found =
+        fd_fpk::solve_stationary_density(problem_, {.equation = options_.equation,
+                                                    .impact = options_.impact,
+                                                    .stepper = fd_fpk::StationarySolver::direct,
+                                                    .order = order,
+                                                    .refinement = row.refinement,
+                                                    .origin_refinement = options_.origin_refinement,
+                                                    .x1_max = y_max_,
+                                                    .x2_max = v_max_,
+                                                    .wall_density = kWallDensity,
+                                                    .refine_unresolved = false,
+                                                    .error_estimate = false});
     ++done_;
     row.origin_refinement = found.summary.origin_refinement;
     row.nx = found.summary.nx;
@@ -57,7 +60,8 @@ class GridStudySolver {
     row.solution = std::move(found.solution);
     row.density = density(row.solution);
     if (row.density) {
-      // All grids use one domain, so that the size of the domain does not affect the convergence.
+      // All grids of a study use one domain, so that the size of the domain does not affect the
+      // convergence.
       y_max_ = found.summary.x1_max;
       v_max_ = found.summary.x2_max;
     }
@@ -93,10 +97,10 @@ class GridStudySolver {
 };
 
 // Returns the reason why three grids have no Richardson limit; empty if the limit exists.
-std::string missing_limit_reason(const GridRow& coarse, const GridRow& middle,
-                                 const GridRow& fine) {
-  for (const GridRow* grid : {&coarse, &middle, &fine}) {
-    if (grid->density && (grid != &fine || fine.solution.is_ok())) continue;
+std::string missing_limit_reason(const GridStudyRow& coarse, const GridStudyRow& middle,
+                                 const GridStudyRow& fine) {
+  for (const GridStudyRow* grid : {&coarse, &middle, &fine}) {
+    if (grid->density && (grid != &fine || fine.solution.has_status_ok())) continue;
     return fmt::format("one of the three finest grids is {} ({})", name(grid->solution.status),
                        grid->solution.reason);
   }
@@ -122,7 +126,7 @@ std::string missing_limit_reason(const GridRow& coarse, const GridRow& middle,
 
 // Sets the observed orders of convergence, and returns the Richardson limit of the grids of one
 // scheme.
-RichardsonLimit set_orders_and_richardson_limit(std::vector<GridRow>& grids) {
+RichardsonLimit set_orders_and_richardson_limit(std::vector<GridStudyRow>& grids) {
   for (std::size_t k = 2; k < grids.size(); ++k) {
     const auto &coarse = grids[k - 2].density, &middle = grids[k - 1].density,
                &fine = grids[k].density;
@@ -131,7 +135,7 @@ RichardsonLimit set_orders_and_richardson_limit(std::vector<GridRow>& grids) {
         transform::grid_level_difference(*coarse, *middle),
         transform::grid_level_difference(*middle, *fine), transform::kRefinementRatio);
   }
-  const GridRow &coarse = grids.end()[-3], &middle = grids.end()[-2], &fine = grids.back();
+  const GridStudyRow &coarse = grids.end()[-3], &middle = grids.end()[-2], &fine = grids.back();
   RichardsonLimit limit{.order = fine.order, .failure = missing_limit_reason(coarse, middle, fine)};
   if (!limit.failure.empty()) return limit;
   const auto found = transform::richardson_estimate(
@@ -152,14 +156,14 @@ std::optional<MarginalL1Distances> l1_distance(const std::optional<GridLevel>& o
 
 // Sets the error estimate of the solution on a single grid to the distance from the Richardson
 // limit.
-void set_error_estimate(GridRow& row) {
+void set_error_estimate(GridStudyRow& row) {
   if (row.l1) {
     row.solution.error = transform::ErrorEstimate{.y_l1 = row.l1->y, .ydot_l1 = row.l1->ydot};
   }
   transform::require_error_estimate(row.solution);
 }
 
-fd_fpk::Options grid_options(const GridStudyOptions& options) {
+fd_fpk::FiniteVolumeOptions grid_options(const GridStudyOptions& options) {
   return {.equation = options.equation, .impact = options.impact};
 }
 
@@ -198,7 +202,7 @@ GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& op
                           listener);
   GridStudy study{problem, fd_fpk::solution_identity(grid_options(options)), {}, {}, {}};
   for (const int order : orders) {
-    std::vector<GridRow> grids;
+    std::vector<GridStudyRow> grids;
     for (int level = 1; level <= options.levels; ++level) {
       grids.push_back(solving.grid(order, level));
     }

@@ -20,7 +20,7 @@ struct GridStudyOptions {
   std::vector<int> orders{3, 5, 7};  ///< convergence orders of the finite-volume schemes
   int levels = 5;                    ///< number of grids for each scheme, at least 3
   double coarsest = 0.5;             ///< refinement of the coarsest grid
-  /// Refinement of the grids towards the origin, the option of fd_fpk::Options.
+  /// Refinement of the grids towards the origin, as FiniteVolumeOptions::origin_refinement.
   std::optional<double> origin_refinement{};
   /// Options of the simulation that is compared with the grids; missing options have default
   /// values.
@@ -30,13 +30,14 @@ struct GridStudyOptions {
 /// @throws InputError that states the option, the value and the range
 void validate(const GridStudyOptions& options);
 
-struct GridRow {
+struct GridStudyRow {
   int order = 0;  ///< convergence order of the scheme
   int level = 1;
   double refinement = 1, origin_refinement = 1;
   int nx = 0, nv = 0;  ///< numbers of grid cells in y and y'
   transform::Solution solution;
-  /// Marginal densities and moments on the grid; empty if the solution has no density.
+  /// Marginal densities and moments of the solution on this grid; empty if the solution has no
+  /// density.
   std::optional<transform::GridLevel> density = {};
   /// Observed convergence orders, from this grid and the next two coarser grids.
   std::optional<transform::ObservedConvergenceOrders> observed = {};
@@ -66,9 +67,9 @@ struct GridStudy {
   static constexpr const char* kFileStem = "study-grid";
   problem::Problem problem;
   transform::SolutionIdentity grids;    ///< equation and impact condition of the finite volumes
-  std::vector<GridRow> rows;            ///< rows sorted by scheme order, then by grid level
+  std::vector<GridStudyRow> rows;       ///< rows sorted by scheme order, then by grid level
   std::vector<RichardsonLimit> limits;  ///< Richardson limits sorted by scheme order
-  /// Closures and simulations; empty without a Richardson limit.
+  /// Closures and simulations that are compared with the grids; empty without a Richardson limit.
   std::vector<ComparedMethodRow> others;
   /// L1 distance between the Richardson limits of the highest and the next lower scheme order.
   std::optional<MarginalL1Distances> limit_accuracy = {};
@@ -88,7 +89,7 @@ GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& op
                      const methods::ProgressListener& listener);
 
 /// Returns whether the Richardson limit exists and no solver failed on the finest grid of a scheme.
-/// Failures on coarser grids are ignored.
+/// Solver failures on coarser grids are ignored.
 bool has_converged(const GridStudy& study);
 
 /// Files and texts of a grid study, from which make_study_report() makes a StudyReport.
@@ -96,13 +97,13 @@ std::string study_json_text(const GridStudy& study, const std::string& command);
 std::string study_csv_text(const GridStudy& study);
 /// Returns the tables of grids, Richardson limits and compared methods, and the fastest method for
 /// each accuracy.
-std::string study_table_text(const GridStudy& study, const report::TextFormat& format);
+std::string study_table_text(const GridStudy& study, const report::TerminalTextFormat& format);
 /// Returns a figure with panels of the L1 distances against the grid refinement and against the
-/// wall-clock time of all methods. The figure has no panels if no distance is known.
+/// wall-clock time of all methods. Without any known distance the figure has no panels.
 report::Figure study_figure(const GridStudy& study);
 
-StudyRecord make_record(const GridRow& row);
-StudyRecord make_record(const RichardsonLimit& limit);
-StudyRecord make_record(const ComparedMethodRow& row);
+StudyRecord make_study_record(const GridStudyRow& row);
+StudyRecord make_study_record(const RichardsonLimit& limit);
+StudyRecord make_study_record(const ComparedMethodRow& row);
 
 }  // namespace fpkcheck::study

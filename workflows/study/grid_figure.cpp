@@ -25,7 +25,7 @@ using Distance = double MarginalL1Distances::*;
 
 template <class Row>
 std::optional<FigurePoint> distance_point(const Row& row, double abscissa, Distance distance) {
-  if (!row.solution.is_ok() || !row.l1) return std::nullopt;
+  if (!row.solution.has_status_ok() || !row.l1) return std::nullopt;
   return FigurePoint{.x = abscissa, .y = (*row.l1).*distance};
 }
 
@@ -37,8 +37,8 @@ std::vector<FigureSeries> series_of_schemes(const GridStudy& study, Distance dis
                                             Abscissa abscissa) {
   auto all = make_empty_series(
       study.rows,
-      [](const GridRow& row) { return fmt::format("finite volumes, order {}", row.order); },
-      [&](const GridRow& row) { return distance_point(row, abscissa(row), distance); });
+      [](const GridStudyRow& row) { return fmt::format("finite volumes, order {}", row.order); },
+      [&](const GridStudyRow& row) { return distance_point(row, abscissa(row), distance); });
   for (std::size_t k = 0; k < all.size(); ++k) {
     auto points = std::move(all[k].points);
     all[k] = report::make_empty_series(all[k].name, methods::finite_volume_scheme_style(k));
@@ -62,9 +62,9 @@ std::vector<FigureSeries> nominal_order_lines(const GridStudy& study, Distance d
   for (auto row = study.rows.begin(); row != study.rows.end();) {
     const int order = row->order;
     const auto end = std::find_if(row, study.rows.end(),
-                                  [&](const GridRow& other) { return other.order != order; });
+                                  [&](const GridStudyRow& other) { return other.order != order; });
     const double finest = std::prev(end)->refinement;
-    const auto first = std::find_if(row, end, [&](const GridRow& other) {
+    const auto first = std::find_if(row, end, [&](const GridStudyRow& other) {
       return distance_point(other, 1, distance).has_value();
     });
     row = end;
@@ -90,7 +90,7 @@ FigurePanel refinement_panel(const GridStudy& study, const std::string& title,
   constexpr std::array kRefinements{0.125, 0.25, 0.35, 0.5, 0.71, 1.0,
                                     1.41,  2.0,  2.83, 4.0, 5.66, 8.0};
   auto series =
-      series_of_schemes(study, distance, [](const GridRow& row) { return row.refinement; });
+      series_of_schemes(study, distance, [](const GridStudyRow& row) { return row.refinement; });
   FigurePanel panel{
       .title = "grids: " + title,
       .x = {"cells per direction, relative to the automatic grid",
@@ -107,7 +107,7 @@ FigurePanel refinement_panel(const GridStudy& study, const std::string& title,
 FigurePanel cost_panel(const GridStudy& study, const std::string& title, StateVariable variable,
                        Distance distance) {
   auto series = series_of_schemes(
-      study, distance, [](const GridRow& row) { return solve_milliseconds(row.solution); });
+      study, distance, [](const GridStudyRow& row) { return solve_milliseconds(row.solution); });
   std::ranges::move(make_empty_series(study.others, method_label,
                                       [&](const ComparedMethodRow& row) {
                                         return distance_point(row, solve_milliseconds(row.solution),

@@ -17,12 +17,12 @@ using transform::Moments;
 using transform::ObservedConvergenceOrders;
 using transform::value_from_count;
 
-StudyRecord make_record(const GridRow& row) {
+StudyRecord make_study_record(const GridStudyRow& row) {
   StudyRecord record{
       {"order", value_from_count(row.order)}, {"level", value_from_count(row.level)},
       {"refinement", row.refinement},         {"nx", value_from_count(row.nx)},
       {"nv", value_from_count(row.nv)},       {"origin_refinement", row.origin_refinement}};
-  add_solution_outcome(row.solution, row.l1, record);
+  add_status_and_distances(row.solution, row.l1, record);
   record.push_back(
       {"observed_order.l1", optional_member_value(row.observed, &ObservedConvergenceOrders::l1)});
   record.push_back(
@@ -34,7 +34,7 @@ StudyRecord make_record(const GridRow& row) {
   return record;
 }
 
-StudyRecord make_record(const RichardsonLimit& limit) {
+StudyRecord make_study_record(const RichardsonLimit& limit) {
   StudyRecord record{{"order", value_from_count(limit.order)},
                      {"l1_y", optional_member_value(limit.l1, &MarginalL1Distances::y)},
                      {"l1_ydot", optional_member_value(limit.l1, &MarginalL1Distances::ydot)}};
@@ -47,14 +47,14 @@ StudyRecord make_record(const RichardsonLimit& limit) {
   return record;
 }
 
-StudyRecord make_record(const ComparedMethodRow& row) {
+StudyRecord make_study_record(const ComparedMethodRow& row) {
   const auto& identity = row.solution.identity;
   StudyRecord record{
       {"id", identity.id},
       {"method", identity.method},
       {"formulation", identity.formulation.empty() ? Value() : Value(identity.formulation)},
       {"order", identity.order ? value_from_count(*identity.order) : Value()}};
-  add_solution_outcome(row.solution, row.l1, record);
+  add_status_and_distances(row.solution, row.l1, record);
   const auto& sampling = row.solution.sampling;
   if (!sampling) {
     record.push_back({"sampling_l1", {}});
@@ -80,15 +80,15 @@ std::string study_json_text(const GridStudy& study, const std::string& command) 
        {"truth.known_to.y", optional_member_value(study.limit_accuracy, &MarginalL1Distances::y)},
        {"truth.known_to.ydot",
         optional_member_value(study.limit_accuracy, &MarginalL1Distances::ydot)}},
-      {{"limits", make_records(study.limits)},
-       {"rows", make_records(study.rows)},
-       {"others", make_records(study.others)}});
+      {{"limits", make_study_records(study.limits)},
+       {"rows", make_study_records(study.rows)},
+       {"others", make_study_records(study.others)}});
 }
 
 std::string study_csv_text(const GridStudy& study) {
-  auto rows = make_records(study.rows);
+  auto rows = make_study_records(study.rows);
   for (auto& row : rows) row.push_back({"id", study.grids.id});
-  for (const auto& other : study.others) rows.push_back(make_record(other));
+  for (const auto& other : study.others) rows.push_back(make_study_record(other));
   return records_csv_text(
       rows, "id order level nx nv status l1_y l1_ydot observed_order=observed_order.l1 seconds");
 }
@@ -105,18 +105,20 @@ std::string milliseconds_text(double seconds) {
   return fmt::format("{:.{}f}", seconds * 1000, seconds < 0.01 ? 1 : 0);
 }
 
-std::string cell_count_text(const GridRow& row) { return fmt::format("{} x {}", row.nx, row.nv); }
+std::string cell_count_text(const GridStudyRow& row) {
+  return fmt::format("{} x {}", row.nx, row.nv);
+}
 
 template <class Row>
 std::vector<StudyRecord> records_with_times(const std::vector<Row>& rows) {
-  auto all = make_records(rows);
+  auto all = make_study_records(rows);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     all[k].push_back({"ms", milliseconds_text(rows[k].solution.seconds)});
   }
   return all;
 }
 
-std::string grid_table_text(const GridStudy& study, const report::TextFormat& format) {
+std::string grid_table_text(const GridStudy& study, const report::TerminalTextFormat& format) {
   auto rows = records_with_times(study.rows);
   for (std::size_t k = 0; k < rows.size(); ++k)
     rows[k].push_back({"cells", cell_count_text(study.rows[k])});
@@ -133,8 +135,9 @@ std::string grid_table_text(const GridStudy& study, const report::TextFormat& fo
                             format);
 }
 
-std::string richardson_limit_table_text(const GridStudy& study, const report::TextFormat& format) {
-  return records_table_text(make_records(study.limits),
+std::string richardson_limit_table_text(const GridStudy& study,
+                                        const report::TerminalTextFormat& format) {
+  return records_table_text(make_study_records(study.limits),
                             {{kLimit, "order", "order", ""},
                              {kLimit, "E[y^2]", "y2", "{:.8g}"},
                              {kLimit, "+-", "y2_error", "{:.0e}", 1},
@@ -147,7 +150,8 @@ std::string richardson_limit_table_text(const GridStudy& study, const report::Te
                             format);
 }
 
-std::string compared_method_table_text(const GridStudy& study, const report::TextFormat& format) {
+std::string compared_method_table_text(const GridStudy& study,
+                                       const report::TerminalTextFormat& format) {
   if (study.others.empty()) return "";
   return '\n' + records_table_text(records_with_times(study.others),
                                    {{"", "other methods", "id", "", report::kAlwaysShown, true},
@@ -158,7 +162,7 @@ std::string compared_method_table_text(const GridStudy& study, const report::Tex
                                    format);
 }
 
-std::string row_name(const GridRow& row) {
+std::string row_name(const GridStudyRow& row) {
   return fmt::format("order {} on {} cells", row.order, cell_count_text(row));
 }
 std::string row_name(const ComparedMethodRow& row) { return row.solution.id(); }
@@ -170,7 +174,8 @@ struct TimedMethod {
 
 template <class Row>
 void update_fastest(const Row& row, double accuracy, std::optional<TimedMethod>& best) {
-  if (!row.solution.is_ok() || !row.l1 || !(std::max(row.l1->y, row.l1->ydot) <= accuracy)) return;
+  if (!row.solution.has_status_ok() || !row.l1 || !(std::max(row.l1->y, row.l1->ydot) <= accuracy))
+    return;
   if (!best || row.solution.seconds < best->seconds) best = {row_name(row), row.solution.seconds};
 }
 
@@ -219,7 +224,7 @@ constexpr const char* kGridLegend =
 
 }  // namespace
 
-std::string study_table_text(const GridStudy& study, const report::TextFormat& format) {
+std::string study_table_text(const GridStudy& study, const report::TerminalTextFormat& format) {
   std::string text = wrap_text(
       fmt::format("{}; finite volumes for {}, impact {}", report::case_title(study.problem),
                   problem::name(*study.grids.equation), problem::name(*study.grids.impact)),

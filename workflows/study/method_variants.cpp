@@ -18,8 +18,8 @@ using problem::ImpactCondition;
 using transform::SolutionIdentity;
 using transform::SolutionRole;
 
-// Returns the method with the given id and options. The result is empty if the id is unknown or an
-// option is invalid.
+// Returns the method of a registry with the given id and options. For an unknown id or an invalid
+// option the result is empty.
 std::optional<Method> find_method(const SolverRegistry& registry, const std::string& id,
                                   const base::Values& given = {}) {
   try {
@@ -29,7 +29,7 @@ std::optional<Method> find_method(const SolverRegistry& registry, const std::str
   }
 }
 
-// Returns the default members of a family, then the variants that differ from a default member by
+// Returns the default methods of a family, then the variants that differ from a default method by
 // one option.
 std::vector<Method> family_members_and_variants(const SolverRegistry& registry,
                                                 const methods::Solver& solver,
@@ -81,9 +81,9 @@ std::vector<MethodVariant> method_variants(const SolverRegistry& registry, Solut
         const bool is_first_solver = all.empty() || all.front().identity().method == solver.name;
         const bool is_shortened = is_first_solver && stem.starts_with(prefix);
         std::string name = is_shortened ? stem.substr(prefix.size()) : stem;
-        const bool usual =
+        const bool is_default_variant =
             std::ranges::find(family.default_ids, method.id()) != family.default_ids.end();
-        all.push_back({std::move(name), stem, usual, std::move(method)});
+        all.push_back({std::move(name), stem, is_default_variant, std::move(method)});
       }
     }
   }
@@ -97,10 +97,11 @@ std::vector<Method> methods_compared_with_grids(const SolverRegistry& registry,
   std::set<std::string> families;  // families that have a variant in `all`
   for (const auto& variant : method_variants(registry, SolutionRole::closure)) {
     const SolutionIdentity& identity = variant.identity();
-    const bool approximates_full_problem =
-        variant.usual && equation == DensityEquation::kf && impact != ImpactCondition::delta;
+    const bool approximates_full_problem = variant.is_default_variant &&
+                                           equation == DensityEquation::kf &&
+                                           impact != ImpactCondition::delta;
     if (!approximates_full_problem && !solves_equation(identity, equation, impact)) continue;
-    if (!variant.usual && families.contains(identity.family)) continue;
+    if (!variant.is_default_variant && families.contains(identity.family)) continue;
     families.insert(identity.family);
     if (!identity.order) all.push_back(variant.first);
     const int highest = !identity.order ? 0 : identity.impact == ImpactCondition::delta ? 6 : 12;

@@ -5,34 +5,35 @@
 
 #include "methods/registry.hpp"
 
-/// Methods of a registry that a study compares. Some of these methods are not default members of a
-/// family.
+/// Methods of a registry that a study compares. Some of the compared methods are not default
+/// members of their family.
 namespace fpkcheck::study {
 
 /// Set of methods that differ only in their order n, e.g. a formulation of a closure.
 struct MethodVariant {
-  /// Name of the variant for users, e.g. "moment-white". The name is the stem of the ids; for the
-  /// first solver of a role the prefix "SOLVER-" is omitted.
+  /// Name of the variant for users, e.g. "moment-white". The name of a variant is the stem of the
+  /// solution ids; for the first solver of a role the prefix "SOLVER-" is omitted.
   std::string name;
-  std::string stem;       ///< common stem of the ids STEM-nN, or id of a method without an order
-  bool usual;             ///< whether the variant is a default variant of its family
-  methods::Method first;  ///< first method of the variant in the registry
+  std::string stem;         ///< common stem of the ids STEM-nN, or id of a method without an order
+  bool is_default_variant;  ///< whether the variant is a default variant of its family
+  methods::Method first;    ///< first method of the variant in the registry
 
   const transform::SolutionIdentity& identity() const { return first.identity; }
   bool solves_full_problem() const;  ///< returns whether the variant solves `kf` with exact impact
 };
 
-/// Returns the method variants of a role, by increasing trust. The default variants of each family
-/// come before variants with a non-default option (equation, tail of the exponent).
+/// Returns the method variants of a role, by increasing trust. In each family the default variants
+/// precede variants with a non-default option (equation, tail of the exponent).
 std::vector<MethodVariant> method_variants(const methods::SolverRegistry& registry,
                                            transform::SolutionRole role);
 
 /// Returns the closures and simulations that are compared with finite volumes for one equation, by
 /// increasing trust. A family of closures contributes its default variant if this variant solves
 /// the equation. For the equation of the full problem every family contributes its default variant,
-/// since every closure approximates the full problem. For other equations each family contributes a
-/// variant that solves the equation. The closure orders are 2, 4, .. 12. With the impact condition
-/// to first order the closure orders are 2, 4, 6, since higher orders rarely give a density.
+/// since every closure approximates the full problem. For any other equation each family
+/// contributes a variant that solves this equation. The closure orders are 2, 4, .. 12. With the
+/// impact condition to first order the closure orders are 2, 4, 6, since higher orders rarely give
+/// a density.
 /// @param simulation values that replace the default options of simulations
 /// @throws InputError if a value of an option is invalid
 std::vector<methods::Method> methods_compared_with_grids(const methods::SolverRegistry& registry,

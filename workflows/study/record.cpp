@@ -25,8 +25,8 @@ Value value_at(const StudyRecord& record, const std::string& path) {
   return found == record.end() ? Value() : found->value;
 }
 
-// Returns the text of a value. The argument `format` applies to non-integer numbers. A missing
-// value gives an empty text.
+// Returns the text of a value of a study record. The argument `format` applies to non-integer
+// numbers. A missing value gives an empty text.
 std::string value_text(const Value& value, const char* format) {
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
   if (const auto* count = std::get_if<std::int64_t>(&value)) return std::to_string(*count);
@@ -36,15 +36,15 @@ std::string value_text(const Value& value, const char* format) {
 }
 
 void add_record_to_json(const StudyRecord& record, Json& object) {
-  transform::MetricBuilder values;
-  for (const auto& [path, value] : record) values.add_result(path, value);
+  transform::SolverMetricsBuilder values;
+  for (const auto& [path, value] : record) values.add_result_metric(path, value);
   results::add_metrics(std::move(values).take_metrics(), object);
 }
 
 }  // namespace
 
-void add_solution_outcome(const transform::Solution& solution,
-                          const std::optional<MarginalL1Distances>& l1, StudyRecord& record) {
+void add_status_and_distances(const transform::Solution& solution,
+                              const std::optional<MarginalL1Distances>& l1, StudyRecord& record) {
   record.push_back({"status", std::string(name(solution.status))});
   record.push_back({"reason", solution.reason});
   record.push_back({"seconds", solution.seconds});
@@ -53,14 +53,14 @@ void add_solution_outcome(const transform::Solution& solution,
 }
 
 std::string records_table_text(const std::vector<StudyRecord>& rows,
-                               const std::vector<TableColumn>& columns,
-                               const report::TextFormat& format) {
-  std::vector<report::TextColumn> filled;
+                               const std::vector<StudyTableColumn>& columns,
+                               const report::TerminalTextFormat& format) {
+  std::vector<report::TextTableColumn> filled;
   for (const auto& shown : columns) {
-    filled.push_back(
-        shown.path == "status"
-            ? report::make_status_column()
-            : report::TextColumn{shown.group, shown.header, shown.left_aligned, shown.importance});
+    filled.push_back(shown.path == "status"
+                         ? report::make_status_column()
+                         : report::TextTableColumn{shown.group, shown.header, shown.left_aligned,
+                                                   shown.importance});
     for (const auto& row : rows) {
       const std::string cell = value_text(value_at(row, shown.path), shown.format);
       filled.back().cells.push_back(cell.empty() ? report::kMissingCell : cell);
@@ -101,7 +101,7 @@ std::string join_with_and(const std::vector<std::string>& items) {
 
 std::string status_reason_text(const std::string& name, const transform::Solution& solution,
                                std::size_t width) {
-  if (solution.is_ok()) return "";
+  if (solution.has_status_ok()) return "";
   const auto status = transform::name(solution.status);
   return report::wrap_text(fmt::format("  {} {}: {}", name, status, solution.reason), width, 4);
 }

@@ -17,7 +17,7 @@ struct MarginalL1Distances {
   double y, ydot;
 };
 
-/// Values of one row of a study, for files and tables. Each value has a path such as
+/// Values of one row of a study, for files and tables. Each value of a record has a path such as
 /// "observed_order.l1".
 using StudyRecord = base::Values;
 
@@ -27,40 +27,40 @@ base::Value optional_member_value(const std::optional<Owner>& owner, double Owne
 }
 
 /// Adds the fields status, reason, seconds, l1_y and l1_ydot of a solution to a record.
-void add_solution_outcome(const transform::Solution& solution,
-                          const std::optional<MarginalL1Distances>& l1, StudyRecord& record);
+void add_status_and_distances(const transform::Solution& solution,
+                              const std::optional<MarginalL1Distances>& l1, StudyRecord& record);
 
 /// Column of a text table, which shows the values with the same path in all records.
-struct TableColumn {
+struct StudyTableColumn {
   std::string group, header, path;
   const char* format;  ///< format of numbers for the library fmt
   int importance = report::kAlwaysShown;
   bool left_aligned = false;
 };
 
-/// Returns the records as a text table. A dash represents an absent value or a number that is not
-/// finite.
+/// Returns the records as a text table. In the table a dash represents an absent value or a number
+/// that is not finite.
 std::string records_table_text(const std::vector<StudyRecord>& rows,
-                               const std::vector<TableColumn>& columns,
-                               const report::TextFormat& format);
+                               const std::vector<StudyTableColumn>& columns,
+                               const report::TerminalTextFormat& format);
 
-/// Returns the records as CSV with a header. Absent values and numbers that are not finite are
-/// empty.
+/// Returns the records as CSV with a header. In the CSV, absent values and numbers that are not
+/// finite are empty fields.
 /// @param columns paths of the columns, separated by blanks; NAME=PATH if the header of a column
 /// differs from its path
 std::string records_csv_text(const std::vector<StudyRecord>& rows, const std::string& columns);
 
-/// Returns the JSON of a study. The argument `study_values` has values of the whole study, such as
-/// its options.
+/// Returns the JSON text of a study. The argument `study_values` has values of the whole study,
+/// such as its options.
 std::string study_records_to_json(
     const std::string& study, const problem::Problem& problem, const std::string& command,
     const StudyRecord& study_values,
     const std::vector<std::pair<std::string, std::vector<StudyRecord>>>& lists);
 
 template <class Row>
-std::vector<StudyRecord> make_records(const std::vector<Row>& rows) {
+std::vector<StudyRecord> make_study_records(const std::vector<Row>& rows) {
   std::vector<StudyRecord> all;
-  for (const Row& row : rows) all.push_back(make_record(row));
+  for (const Row& row : rows) all.push_back(make_study_record(row));
   return all;
 }
 
@@ -71,12 +71,13 @@ std::string number_text(const std::optional<double>& number, const char* format)
 /// Joins texts to an enumeration such as "2, 4 and 6".
 std::string join_with_and(const std::vector<std::string>& items);
 
-/// Returns the name, status and reason of a solution as wrapped lines; empty for status `ok`.
+/// Returns the name, the status and the reason for the status of a solution as wrapped lines; empty
+/// for the status `ok`.
 std::string status_reason_text(const std::string& name, const transform::Solution& solution,
                                std::size_t width);
 
 /// Makes a plot series from each group of neighbouring rows with equal name(row), with the points
-/// point(row). The series has the plot style of the solution in the middle row of its group.
+/// point(row). Each plot series has the style of the solution in the middle row of its group.
 template <class Row, class Name, class Point>
 std::vector<report::FigureSeries> make_empty_series(const std::vector<Row>& rows, Name name,
                                                     Point point) {

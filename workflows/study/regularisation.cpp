@@ -32,7 +32,7 @@ RegularisationStudy add_growth_rates(const problem::Problem& problem,
                                      const fd_fpk::RegularisationStudy& fd_study) {
   RegularisationStudy study{problem, fd_study.default_length, fd_study.shortest_length, {}};
   for (const auto& row : fd_study.rows) {
-    const bool symbol_grows = row.symbol && is_unstable(*row.symbol, problem.impulses);
+    const bool symbol_grows = row.symbol && is_growing_wave(*row.symbol, problem.impulses);
     study.rows.push_back({row, symbol_grows, row.growth_rate(problem)});
   }
   return study;
@@ -65,7 +65,7 @@ void add_eigenvalue(const std::string& name, const std::optional<std::complex<do
   record.push_back({name + ".im", value->imag()});
 }
 
-// If no wave grows, the largest growth rate is 0, the limit for long waves.
+// If no wave of the density grows, the largest growth rate is 0, the limit for long waves.
 std::string fastest_wave_text(const RegularisationSchemeResult& row,
                               double fd_fpk::FastestGrowingWave::*of) {
   if (row.symbol_grows) return number_text((*row.symbol).*of, "{:.4g}");
@@ -94,7 +94,8 @@ std::string velocity_step_text(const RegularisationSchemeResult& row) {
   return fmt::format("{:.3g}", row.step);
 }
 
-std::string scheme_table_text(const RegularisationStudy& study, const report::TextFormat& format) {
+std::string scheme_table_text(const RegularisationStudy& study,
+                              const report::TerminalTextFormat& format) {
   std::vector<StudyRecord> rows;
   for (const auto& row : study.rows) {
     rows.push_back({{"scheme", row.scheme},
@@ -210,7 +211,7 @@ std::string threshold_sentence(const RegularisationStudy& study) {
   return text;
 }
 
-// Each remark occurs once, with the rows to which the remark applies.
+// Each remark of the study occurs once, with the table rows to which the remark applies.
 std::string remarks_text(const RegularisationStudy& study, std::size_t width) {
   std::map<std::string, std::vector<std::string>> rows_with;
   std::vector<std::string> order;
@@ -237,11 +238,11 @@ constexpr const char* kRegularisationLegend =
 
 }  // namespace
 
-StudyRecord make_record(const RegularisationSchemeResult& row) {
+StudyRecord make_study_record(const RegularisationSchemeResult& row) {
   StudyRecord record{
       {"scheme", row.scheme},
       {"step", row.step},
-      // The scheme `pade` has no length of the fourth difference.
+      // The Pade scheme has no fourth difference, and therefore no length of the difference.
       {"length", row.length > 0 ? Value(row.length) : Value()},
       {"nx", value_from_count(row.nx)},
       {"nv", value_from_count(row.nv)},
@@ -262,16 +263,17 @@ std::string study_json_text(const RegularisationStudy& study, const std::string&
   return study_records_to_json(
       RegularisationStudy::kName, study.problem, command,
       {{"default_length", study.default_length}, {"shortest_length", study.shortest_length}},
-      {{"rows", make_records(study.rows)}});
+      {{"rows", make_study_records(study.rows)}});
 }
 
 std::string study_csv_text(const RegularisationStudy& study) {
   return records_csv_text(
-      make_records(study.rows),
+      make_study_records(study.rows),
       "scheme step length nx nv symbol_rate symbol_wavenumber rightmost_re=rightmost.re rightmost_im=rightmost.im next_re=next.re next_im=next.im growth_rate l1_y l1_ydot min_density");
 }
 
-std::string study_table_text(const RegularisationStudy& study, const report::TextFormat& format) {
+std::string study_table_text(const RegularisationStudy& study,
+                             const report::TerminalTextFormat& format) {
   std::string text = wrap_text(report::case_title(study.problem), format.width, 2) +
                      scheme_table_text(study, format) + remarks_text(study, format.width);
   for (const auto& sentence : {unregularised_scheme_sentence(study),

@@ -14,7 +14,7 @@
 namespace fpkcheck::study {
 
 struct RegularisationSchemeResult : fd_fpk::RegularisationSchemeResult {
-  /// Whether the symbol of the discrete operator has a growing wave.
+  /// Whether the Fourier symbol of the discrete operator has a growing wave.
   bool symbol_grows = false;
   /// Largest growth rate of disturbances of the density; empty if no disturbance grows.
   std::optional<double> growth_rate = {};
@@ -24,7 +24,8 @@ struct RegularisationStudy {
   static constexpr const char* kName = "regularisation";
   static constexpr const char* kFileStem = "study-regularisation";
   problem::Problem problem;
-  /// Default and shortest step of the fourth difference (fd_fpk::RegularisationStudy).
+  /// Default regularisation length and shortest stable regularisation length of km4
+  /// (fd_fpk::RegularisationStudy).
   double default_length, shortest_length;
   std::vector<RegularisationSchemeResult> rows;
 };
@@ -40,12 +41,13 @@ RegularisationStudy add_growth_rates(const problem::Problem& problem,
 bool has_converged(const RegularisationStudy& study);
 
 /// Files and texts of a regularisation study, from which make_study_report() makes a StudyReport.
-/// The JSON key `growth_rate` is null if no disturbance grows.
+/// If no disturbance grows, the JSON key `growth_rate` is null.
 std::string study_json_text(const RegularisationStudy& study, const std::string& command);
 std::string study_csv_text(const RegularisationStudy& study);
-std::string study_table_text(const RegularisationStudy& study, const report::TextFormat& format);
+std::string study_table_text(const RegularisationStudy& study,
+                             const report::TerminalTextFormat& format);
 inline report::Figure study_figure(const RegularisationStudy&) { return {}; }
 
-StudyRecord make_record(const RegularisationSchemeResult& row);
+StudyRecord make_study_record(const RegularisationSchemeResult& row);
 
 }  // namespace fpkcheck::study

@@ -17,11 +17,11 @@ struct StudyReport {
   std::string page = {};      ///< contents of STEM.html; empty without this file
 };
 
-/// Returns the files and texts of a study. If table rows exceed the width of `format`, the table
-/// omits the least important columns.
+/// Returns the files and texts of a study. If the rows of a table exceed the width of `format`, the
+/// table omits its least important columns.
 template <class Study>
 StudyReport make_study_report(const Study& study, const std::string& command,
-                              const report::TextFormat& format,
+                              const report::TerminalTextFormat& format,
                               report::FigureWidth width = report::FigureWidth::screen) {
   const std::string stem = Study::kFileStem;
   const report::Figure drawn = study_figure(study);

@@ -61,12 +61,12 @@ TEST(Bounds, ContainExactMomentsWithoutLossesForEveryLaw) {
         bounds_on_level(linear, 0, {kMeanSquareDisplacement, kMeanSquareVelocity});
     EXPECT_TRUE(b[0].contains(exact::linear_cumulant(linear, 2, 0))) << law;
     EXPECT_TRUE(b[1].contains(exact::mean_square_velocity(linear))) << law;
-    EXPECT_LT(b[0].half_width(), 1e-2 * b[0].middle()) << law;
+    EXPECT_LT(b[0].half_width(), 1e-2 * b[0].midpoint()) << law;
     const problem::Problem cubic =
         problem::load_case("case1", {"system.restitution=1", std::string("impulse.law=") + law});
     const numerics::Enclosure v2 = bounds_on_level(cubic, 0, {kMeanSquareVelocity})[0];
     EXPECT_TRUE(v2.contains(exact::mean_square_velocity(cubic))) << law;
-    EXPECT_LT(v2.half_width(), 1e-2 * v2.middle()) << law;
+    EXPECT_LT(v2.half_width(), 1e-2 * v2.midpoint()) << law;
   }
 }
 
@@ -159,7 +159,7 @@ TEST(FinestBounds, AreAccurateToOneMillionth) {
     const auto* const power = std::get_if<PowerMoment>(&bound.functional);
     const bool hardest =
         power != nullptr && power->variable == StateVariable::ydot && power->power == 4;
-    EXPECT_LT(bound.enclosure.half_width() / bound.enclosure.middle(), hardest ? 6e-6 : 1e-6)
+    EXPECT_LT(bound.enclosure.half_width() / bound.enclosure.midpoint(), hardest ? 6e-6 : 1e-6)
         << functional_name(bound.functional);
   }
   EXPECT_EQ(all.status, BoundsStatus::width_not_met);

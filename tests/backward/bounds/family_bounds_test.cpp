@@ -149,7 +149,7 @@ struct CertificateWithoutWalls {
   Eigen::MatrixXd coefficients{displacement.size(), velocity.size()};
 
   explicit CertificateWithoutWalls(double max_speed = 4.5)
-      : velocity(numerics::SplineBasis(numerics::graded_breaks(max_speed, 5, 0.1, 1)), 1) {
+      : velocity(numerics::SplineBasis(numerics::graded_break_points(max_speed, 5, 0.1, 1)), 1) {
     for (int a = 0; a < coefficients.rows(); ++a) {
       for (int b = 0; b < coefficients.cols(); ++b)
         coefficients(a, b) = std::sin(0.9 * a + 0.5) * std::cos(0.4 * b + 0.3);

@@ -25,8 +25,8 @@ struct InaccurateCertificate {
       : problem(problem::load_case(
             "case1", {"system.restitution=0.7", "impulse.law=" + law, "impulse.mean=0.05"})),
         weight(make_residual_weight(problem, 12)),
-        displacement(numerics::graded_breaks(max_displacement, 5, 0.1, 1)),
-        velocity(numerics::SplineBasis(numerics::graded_breaks(max_speed, 5, 0.1, 1)), 0.7),
+        displacement(numerics::graded_break_points(max_displacement, 5, 0.1, 1)),
+        velocity(numerics::SplineBasis(numerics::graded_break_points(max_speed, 5, 0.1, 1)), 0.7),
         displacement_factors(numerics::call_with_upward_rounding(
             [&] { return enclose_displacement_factors(problem, displacement, {}); })),
         velocity_factors(numerics::call_with_upward_rounding(

@@ -16,8 +16,9 @@ struct GeneratorSamples {
   problem::Problem problem = problem::load_case(
       "case1",
       {"system.damping=0.3", "system.cubic=0.7", "system.restitution=0.8", "impulse.mean=0.1"});
-  numerics::SplineBasis displacement{numerics::graded_breaks(2, 6, 0.1, 1)};
-  ImpactSplineBasis velocity{numerics::SplineBasis(numerics::graded_breaks(6, 9, 0.2, 2)), 0.8};
+  numerics::SplineBasis displacement{numerics::graded_break_points(2, 6, 0.1, 1)};
+  ImpactSplineBasis velocity{numerics::SplineBasis(numerics::graded_break_points(6, 9, 0.2, 2)),
+                             0.8};
   DisplacementSplineSamples displacement_samples = sample_displacement_splines(displacement, 3);
   VelocityFactorSamples velocity_samples = numerics::call_with_upward_rounding([&] {
     return sample_velocity_factors(enclose_velocity_factors(problem, velocity, {}), velocity, 3);

@@ -9,7 +9,7 @@ namespace fpkcheck::backward {
 namespace {
 
 ImpactSplineBasis make_example_basis(double r = 0.7) {
-  return ImpactSplineBasis(numerics::SplineBasis(numerics::graded_breaks(3, 6, 0.1, 1)), r);
+  return ImpactSplineBasis(numerics::SplineBasis(numerics::graded_break_points(3, 6, 0.1, 1)), r);
 }
 
 TEST(VelocityPieces, CoverTheRangeAndEndAtBreaksAndCuts) {

@@ -27,7 +27,7 @@ struct BasisWithTable {
 BasisWithTable make_basis_with_table(const ImpulseLaw& law, double end, int cells, double r) {
   return numerics::call_with_upward_rounding([&] {
     const ImpactSplineBasis basis(
-        numerics::SplineBasis(numerics::graded_breaks(end, cells, 0.05, end / 3)), r);
+        numerics::SplineBasis(numerics::graded_break_points(end, cells, 0.05, end / 3)), r);
     const VelocityPieceConstraints constraints = velocity_piece_constraints(basis, law);
     std::vector<VelocityPiece> pieces =
         divide_velocity_axis(basis, constraints.break_velocities, constraints.max_length);
@@ -60,10 +60,10 @@ double velocity_on_piece(const VelocityPiece& piece, double t) {
 double mean_after_impulse_by_quadrature(const BasisWithTable& t, const Eigen::VectorXd& c,
                                         const ImpulseLaw& law, double v) {
   double sum = 0;
-  for (const problem::AmplitudeAtom& atom : law.atoms()) {
+  for (const problem::AmplitudeAtom& atom : law.amplitude_atoms()) {
     sum += atom.probability * spline_value(t.basis, c, v + atom.amplitude);
   }
-  std::vector<double> ends = law.density_breakpoints();
+  std::vector<double> ends = law.amplitude_density_breakpoints();
   if (ends.empty()) return sum;
   const double first = ends.front(), last = ends.back();
   for (const double u : velocity_breaks(t.basis)) ends.push_back(std::clamp(u - v, first, last));
@@ -105,7 +105,7 @@ TEST_P(ImpulseTables, ReproduceTheMomentsOfTheLawOnPowers) {
       const numerics::Enclosure mean = enclose_mean_after_impulse(t, c, p, 0.4);
       // The constants beyond the ends are not powers: exp(-sqrt(2) 10/.31) 13^6 for laplace,
       // exp(-11.5/.31) 13^6 for exponential.
-      EXPECT_NEAR(mean.middle(), exact, 4e-10) << "power " << n << " at " << v;
+      EXPECT_NEAR(mean.midpoint(), exact, 4e-10) << "power " << n << " at " << v;
       ++checked;
     }
     EXPECT_GE(checked, 2);
@@ -121,7 +121,7 @@ TEST_P(ImpulseTables, EncloseTheQuadratureOfARoughSpline) {
       const double v = velocity_on_piece(t.pieces[p], at),
                    expected = mean_after_impulse_by_quadrature(t, c, law(), v);
       const numerics::Enclosure mean = enclose_mean_after_impulse(t, c, p, at);
-      EXPECT_NEAR(mean.middle(), expected, 3e-11) << "at " << v;
+      EXPECT_NEAR(mean.midpoint(), expected, 3e-11) << "at " << v;
       EXPECT_LT(mean.half_width(), 1e-9);
     }
   }

@@ -10,7 +10,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-using transform::Passage;
+using transform::FirstPassageResult;
 using transform::Status;
 
 constexpr double kBoundsSeconds = 1000;  // time limit that a busy machine keeps, in seconds
@@ -20,7 +20,7 @@ constexpr double kMeanOfCase1 = 114.27394;
 constexpr double kMeanOfRareImpulses = 227.67038;
 
 TEST(PassageBounds, ContainTheMeanTimeOfCase1WithinFivePercent) {
-  const Passage passage =
+  const FirstPassageResult passage =
       bound_passage(tests::paper_case(1), {.accuracy = 0.025, .max_seconds = kBoundsSeconds}, 1.5);
   ASSERT_EQ(passage.status, Status::ok) << passage.reason;
   const auto [middle, half_width] = *passage.mean_from_point;
@@ -31,8 +31,9 @@ TEST(PassageBounds, ContainTheMeanTimeOfCase1WithinFivePercent) {
 }
 
 TEST(PassageBounds, ContainTheMeanTimeUnderRareImpulsesWithLosses) {
-  const Passage passage = bound_passage(tests::make_problem({.restitution = 0.8, .rate = 0.3}),
-                                        {.accuracy = 0.025, .max_seconds = kBoundsSeconds}, 1.5);
+  const FirstPassageResult passage =
+      bound_passage(tests::make_problem({.restitution = 0.8, .rate = 0.3}),
+                    {.accuracy = 0.025, .max_seconds = kBoundsSeconds}, 1.5);
   ASSERT_EQ(passage.status, Status::ok) << passage.reason;
   const auto [middle, half_width] = *passage.mean_from_point;
   EXPECT_LT(std::abs(middle - kMeanOfRareImpulses), half_width);
@@ -95,16 +96,18 @@ TEST(PassageBounds, LargeRectanglesProveNoBound) {
 
 TEST(PassageBounds, AreNotOfferedForOtherProblems) {
   const auto status = [](const problem::Problem& problem,
-                         std::optional<transform::StartState> start = {}) {
+                         std::optional<transform::PassageStartState> start = {}) {
     return bound_passage(problem, {}, 1.5, start).status;
   };
   EXPECT_EQ(status(tests::make_problem({.law = "laplace"})), Status::not_offered);
   EXPECT_EQ(status(tests::make_problem({.mean = 0.1})), Status::not_offered);
-  EXPECT_EQ(status(tests::paper_case(1), transform::StartState{0.5, 0}), Status::not_offered);
+  EXPECT_EQ(status(tests::paper_case(1), transform::PassageStartState{0.5, 0}),
+            Status::not_offered);
 }
 
 TEST(PassageBounds, StateThatTheTimeLimitIsReached) {
-  const Passage passage = bound_passage(tests::paper_case(1), {.max_seconds = 1e-3}, 1.5);
+  const FirstPassageResult passage =
+      bound_passage(tests::paper_case(1), {.max_seconds = 1e-3}, 1.5);
   EXPECT_EQ(passage.status, Status::failed);
   EXPECT_NE(passage.reason.find("time limit"), std::string::npos) << passage.reason;
 }

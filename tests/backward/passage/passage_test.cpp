@@ -14,7 +14,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-using transform::Passage;
+using transform::FirstPassageResult;
 using transform::Status;
 
 constexpr double kAmpleSeconds = 300;  // time limit that a busy machine keeps, in seconds
@@ -124,7 +124,7 @@ TEST(RenewalEquation, IntegratesTheTimeToTheNextImpulse) {
 
 // Values of an independent collocation along characteristics, with about seven digits
 TEST(PassageByCharacteristics, HasTheValuesOfAnIndependentComputationInCase1) {
-  const Passage passage =
+  const FirstPassageResult passage =
       solve_passage(tests::paper_case(1), {.accuracy = 1e-3, .max_seconds = kAmpleSeconds}, 1.5);
   ASSERT_EQ(passage.status, Status::ok) << passage.reason;
   EXPECT_NEAR(passage.hazard->value, 0.00945683, 6e-9);
@@ -146,9 +146,9 @@ TEST(PassageByCharacteristics, StatesAnErrorThatContainsTheChangeToAFinerPlane) 
       tests::make_problem({.damping = 0.3, .restitution = 0.8, .intensity = 0.4});
   const auto solve = [&](double accuracy) {
     return solve_passage(problem, {.accuracy = accuracy, .max_seconds = kAmpleSeconds}, 1, {},
-                         transform::StartState{0.3, -0.7});
+                         transform::PassageStartState{0.3, -0.7});
   };
-  const Passage coarse = solve(1), fine = solve(1e-4);
+  const FirstPassageResult coarse = solve(1), fine = solve(1e-4);
   ASSERT_EQ(fine.status, Status::ok) << fine.reason;
   EXPECT_LE(std::abs(coarse.hazard->value - fine.hazard->value), coarse.hazard->error);
   EXPECT_LE(std::abs(coarse.mean_from_point->value - fine.mean_from_point->value),
@@ -168,7 +168,7 @@ TEST(PassageByCharacteristics, ObeysTheChangeOfUnits) {
                                               .cubic = 0.5 * rate * rate * per_square},
                                              {.left = 0, .left_restitution = 0.7}),
                              tests::gaussian_impulses(rate, 0.4 * std::pow(rate, 3) / per_square));
-    const Passage passage =
+    const FirstPassageResult passage =
         solve_passage(problem, {.accuracy = 1e-3, .max_seconds = kAmpleSeconds}, length);
     EXPECT_EQ(passage.status, Status::ok) << passage.reason;
     return passage.mean_from_point ? passage.mean_from_point->value : 0;
@@ -188,7 +188,7 @@ TEST(PassageByCharacteristics, DependsOnTheDistanceFromTheWall) {
                              tests::gaussian_impulses(1, 0.3)),
         {}, wall + 1);
   };
-  const Passage at_zero = solve(0), shifted = solve(-0.4);
+  const FirstPassageResult at_zero = solve(0), shifted = solve(-0.4);
   ASSERT_EQ(at_zero.status, Status::ok) << at_zero.reason;
   EXPECT_NEAR(shifted.mean_from_point->value, at_zero.mean_from_point->value,
               1e-9 * at_zero.mean_from_point->value);
@@ -199,7 +199,8 @@ TEST(PassageByCharacteristics, ReboundsAtTheStart) {
   const problem::Problem problem =
       tests::make_problem({.damping = 0.3, .restitution = 0.5, .intensity = 0.4});
   const auto mean = [&](double v) {
-    const Passage passage = solve_passage(problem, {}, 1, {}, transform::StartState{0, v});
+    const FirstPassageResult passage =
+        solve_passage(problem, {}, 1, {}, transform::PassageStartState{0, v});
     EXPECT_EQ(passage.status, Status::ok) << passage.reason;
     return passage.mean_from_point ? passage.mean_from_point->value : 0;
   };
@@ -215,14 +216,15 @@ TEST(PassageByCharacteristics, IsNotOfferedWhereTheMotionIsNotDeterministicOrThe
       system,
       problem::ImpulseTrain({.arrival_rate = 1, .law = "two_point", .intensity = 0.1, .mean = 0}));
   for (const problem::Problem& problem : {tests::with_noise(system, 0.2), two_point}) {
-    const Passage passage = solve_passage(problem, {}, 1);
+    const FirstPassageResult passage = solve_passage(problem, {}, 1);
     EXPECT_EQ(passage.status, Status::not_offered);
     EXPECT_FALSE(passage.reason.empty());
   }
 }
 
 TEST(PassageByCharacteristics, StatesWhyItFailsWithoutTime) {
-  const Passage passage = solve_passage(tests::paper_case(1), {.max_seconds = 1e-3}, 1.5);
+  const FirstPassageResult passage =
+      solve_passage(tests::paper_case(1), {.max_seconds = 1e-3}, 1.5);
   EXPECT_EQ(passage.status, Status::failed);
   EXPECT_NE(passage.reason.find("time limit"), std::string::npos) << passage.reason;
 }

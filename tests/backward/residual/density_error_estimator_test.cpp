@@ -36,8 +36,8 @@ transform::GridDensity gaussian_averages(const std::vector<double>& y,
     return (std::erf(edges[k + 1] / unit) - std::erf(edges[k] / unit)) / (edges[k + 1] - edges[k]);
   };
   transform::GridDensity grid{y, v, {}};
-  for (std::size_t i = 0; i < grid.ny(); ++i) {
-    for (std::size_t j = 0; j < grid.nv(); ++j) {
+  for (std::size_t i = 0; i < grid.y_cell_count(); ++i) {
+    for (std::size_t j = 0; j < grid.v_cell_count(); ++j) {
       grid.averages.push_back(part(y, i, kSigmaY) * part(v, j, kSigmaV) / 2);
     }
   }
@@ -263,11 +263,11 @@ TEST(DensityResiduals, LocateALocalError) {
   transform::GridDensity grid{y, v, exact.joint_averages(y, v)};
   constexpr double kHeight = 0.05;
   const double y0 = 0.9, v0 = 0.6, width = 0.15;
-  for (std::size_t i = 0; i < grid.ny(); ++i) {
-    for (std::size_t j = 0; j < grid.nv(); ++j) {
+  for (std::size_t i = 0; i < grid.y_cell_count(); ++i) {
+    for (std::size_t j = 0; j < grid.v_cell_count(); ++j) {
       const double a = ((y[i] + y[i + 1]) / 2 - y0) / width,
                    b = ((v[j] + v[j + 1]) / 2 - v0) / width;
-      grid.averages[i * grid.nv() + j] += kHeight * a * std::exp(-(a * a + b * b) / 2);
+      grid.averages[i * grid.v_cell_count() + j] += kHeight * a * std::exp(-(a * a + b * b) / 2);
     }
   }
   const auto found = estimator.estimate_errors(grid);

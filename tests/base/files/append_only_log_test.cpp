@@ -71,8 +71,8 @@ TEST_F(LineLogFile, RejectsSpecialFiles) {
   EXPECT_THROW(AppendOnlyLog{directory_.path() / "absent" / "log"}, std::runtime_error);
 }
 
-// The test simulates a full disk. AppendOnlyLog::append() removes the part of the line that was already
-// written.
+// The test simulates a full disk. AppendOnlyLog::append() removes the part of the line that was
+// already written.
 TEST_F(LineLogFile, IsUnchangedWhenAppendFails) {
   AppendOnlyLog log(file_);
   log.read_lines();

@@ -129,8 +129,8 @@ class JournalOfKilledRun : public testing::Test {
   std::string text(const char* name) const { return tests::contents(path(name)); }
 
   // The journal of a run that replaces the files a, b and c and removes the file `gone`.
-  CommitJournal journal() const {
-    CommitJournal made;
+  FileChangeJournal journal() const {
+    FileChangeJournal made;
     for (const char* name : {"a", "b", "c"}) {
       const fs::path partial = partial_file_path(path(name));
       write_new_file(partial, "new");
@@ -159,7 +159,7 @@ TEST_F(JournalOfKilledRun, IsAppliedByNextRun) {
 
 TEST_F(JournalOfKilledRun, IsAppliedAfterPartialChange) {
   in_killed_process([&] {
-    const CommitJournal all = journal();
+    const FileChangeJournal all = journal();
     all.write_to_directory(directory.path());
     fs::rename(directory.path() / all.renames[0].from, path("a"));
   });
@@ -182,14 +182,14 @@ TEST_F(JournalOfKilledRun, IsLeftToRunningProcess) {
   const std::string message = refusal();
   EXPECT_NE(message.find("is writing files into"), std::string::npos) << message;
   EXPECT_EQ(text("a"), "old");
-  CommitJournal other;
+  FileChangeJournal other;
   EXPECT_THROW(other.write_to_directory(directory.path()), std::system_error);
 }
 
 TEST_F(JournalOfKilledRun, WithPathsElsewhereIsRejected) {
   for (const char* line : {"remove\n../outside\n", "remove\n/etc/passwd\n",
                            "rename\n../outside\na\n", "rename\na\n", "what\n"}) {
-    write_file_atomically(path(CommitJournal::kFileName),
+    write_file_atomically(path(FileChangeJournal::kFileName),
                           "fpkcheck commit 1\n" + WriterProcess::current_process().host +
                               "\n4194999\n" + line + "end\n");
     EXPECT_NE(refusal().find("is not a journal of this user, or damaged"), std::string::npos)
@@ -199,9 +199,9 @@ TEST_F(JournalOfKilledRun, WithPathsElsewhereIsRejected) {
 
 TEST_F(JournalOfKilledRun, TruncatedIsRejected) {
   in_killed_process([&] { journal().write_to_directory(directory.path()); });
-  const std::string whole = text(CommitJournal::kFileName);
+  const std::string whole = text(FileChangeJournal::kFileName);
   for (std::size_t size = 0; size < whole.size(); size += 7) {
-    write_file_atomically(path(CommitJournal::kFileName), whole.substr(0, size));
+    write_file_atomically(path(FileChangeJournal::kFileName), whole.substr(0, size));
     EXPECT_FALSE(refusal().empty()) << size;
     EXPECT_EQ(text("a"), "old") << size;
   }

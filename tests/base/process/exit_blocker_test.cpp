@@ -16,14 +16,14 @@ using namespace std::chrono_literals;
 // guard until the process ends.
 TEST(ExitBlocker, DelaysReservationAndThenBlocksOthers) {
   std::atomic<bool> reserved = false;
-  std::optional<ExitBlocker> outer(std::in_place);
-  std::optional<ExitBlocker> inner(std::in_place);
+  std::optional<ProcessExitBlocker> outer(std::in_place);
+  std::optional<ProcessExitBlocker> inner(std::in_place);
   std::jthread ending([&] {
     wait_and_block_other_writers();
     reserved = true;
     reserved.notify_all();
-    const ExitBlocker own;  // the thread that ends the process may write
-    reserved.wait(true);    // blocks as until the process ends
+    const ProcessExitBlocker own;  // the thread that ends the process may write
+    reserved.wait(true);           // blocks as until the process ends
   });
   std::this_thread::sleep_for(20ms);
   EXPECT_FALSE(reserved);
@@ -35,7 +35,7 @@ TEST(ExitBlocker, DelaysReservationAndThenBlocksOthers) {
 
   static std::atomic<bool> late = false;
   std::thread([] {
-    const ExitBlocker too_late;
+    const ProcessExitBlocker too_late;
     late = true;
   }).detach();
   std::this_thread::sleep_for(50ms);

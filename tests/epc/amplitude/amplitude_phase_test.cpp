@@ -16,12 +16,12 @@ TEST(Circle, MaximumOverPhasesIncludesTheWallAndTheAxis) {
 }
 
 TEST(Circle, AFallIsFollowedToTheDepthAskedForOrToWhereItEnds) {
-  const ExponentDecayScan whole =
-      scan_exponent_decay([](double rho, double) { return -rho * rho; }, 25, 10);
+  const ExponentDecayRange whole =
+      find_exponent_decay_range([](double rho, double) { return -rho * rho; }, 25, 10);
   EXPECT_NEAR(whole.crossing.value(), 5, 0.05);
   EXPECT_EQ(whole.extent, 10);
   // -rho^2 + 0.02 rho^4 has its minimum, -12.5, at rho = 5.
-  const ExponentDecayScan turned = scan_exponent_decay(
+  const ExponentDecayRange turned = find_exponent_decay_range(
       [](double rho, double) { return -rho * rho + 0.02 * std::pow(rho, 4); }, 25, 10);
   EXPECT_FALSE(turned.crossing.has_value());
   EXPECT_NEAR(turned.extent, 5, 0.1);

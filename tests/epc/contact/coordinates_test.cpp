@@ -44,7 +44,7 @@ TEST(ContactCoordinates, AreInverseToEachOtherAndOfTheEnergy) {
   for (const double cubic : {0.0, 0.7}) {
     const auto p =
         pressed_mass_problem({.constant = 0.5, .stiffness = 1, .cubic = cubic, .restitution = 0.7});
-    const Coordinates coordinates(p);
+    const AmplitudeVelocityCoordinates coordinates(p);
     for (const double y : {0.0, 1e-12, 1e-3, 0.3, 5.0}) {
       EXPECT_NEAR(coordinates.displacement(coordinates.sqrt_twice_potential(y)), y, 4e-14 * y);
       const double energy = 0.32 + 0.5 * y + y * y / 2 + cubic * std::pow(y, 4) / 4;
@@ -58,7 +58,7 @@ TEST(ContactCoordinates, AreInverseToEachOtherAndOfTheEnergy) {
 TEST(ContactRule, HasTheAreaBelowAnEnergyAndTheAtom) {
   const double g = 1.7, r = 0.6, rho_max = 2;
   const auto p = pressed_mass_problem({.constant = g, .stiffness = 0, .restitution = r});
-  const Coordinates coordinates(p);
+  const AmplitudeVelocityCoordinates coordinates(p);
   const auto points = amplitude::quadrature_points(coordinates, rho_max, {}, {24, 24, 24});
   double area = 0, first_moment = 0;
   for (Eigen::Index i = 0; i + 1 < points.size(); ++i) {
@@ -84,27 +84,30 @@ TEST(ContactRule, HasTheAreaBelowAnEnergyAndTheAtom) {
 TEST(ContactContour, HasTheDensityBeyondAnEnergy) {
   const double g = 1.7, rho = 3, temperature = 0.3;
   const auto p = pressed_mass_problem({.constant = g, .stiffness = 0, .restitution = 0.6});
-  const Polynomial q({{2, 0, -1 / (2 * temperature)}});
+  const ExponentPolynomial q({{2, 0, -1 / (2 * temperature)}});
   const double h = rho * rho / 2;
   const double expected = temperature * std::exp(-h / temperature) * 2 * rho / (g * h);
   EXPECT_NEAR(half_plane::probability_beyond_contour(
-                  q, amplitude::constant_amplitude_contour(Coordinates(p), rho), temperature, 0),
+                  q, amplitude::constant_amplitude_contour(AmplitudeVelocityCoordinates(p), rho),
+                  temperature, 0),
               expected, 2e-3 * expected);
 }
 
 TEST(ContactContour, LeadingFormIsTheSignOfTheHighestPowersAlongEveryPhase) {
   // -rho^2 + 0.5 v^2 falls at every phase, -rho^2 + 1.2 v^2 rises at the wall.
-  EXPECT_TRUE(amplitude::leading_form_in_amplitude<Coordinates>(
-                  Polynomial({{2, 0, -1}, {0, 2, 0.5}}), {1, 1})
+  EXPECT_TRUE(amplitude::leading_form_of_amplitude_exponent<AmplitudeVelocityCoordinates>(
+                  ExponentPolynomial({{2, 0, -1}, {0, 2, 0.5}}), {1, 1})
                   .negative);
-  const LeadingForm rising = amplitude::leading_form_in_amplitude<Coordinates>(
-      Polynomial({{2, 0, -1}, {0, 2, 1.2}}), {1, 1});
+  const LeadingFormOfExponent rising =
+      amplitude::leading_form_of_amplitude_exponent<AmplitudeVelocityCoordinates>(
+          ExponentPolynomial({{2, 0, -1}, {0, 2, 1.2}}), {1, 1});
   EXPECT_FALSE(rising.negative);
   EXPECT_NEAR(std::abs(rising.worst.x2), 1, 1e-15);
   EXPECT_GT(rising.rising_fraction, 0);
   EXPECT_LT(rising.rising_fraction, 0.5);
-  const LeadingForm turning = amplitude::leading_form_in_amplitude<Coordinates>(
-      Polynomial({{2, 0, -1}, {4, 0, 0.02}}), {1, 2});
+  const LeadingFormOfExponent turning =
+      amplitude::leading_form_of_amplitude_exponent<AmplitudeVelocityCoordinates>(
+          ExponentPolynomial({{2, 0, -1}, {4, 0, 0.02}}), {1, 2});
   EXPECT_NEAR(turning.rises_from, 2.5, 0.06);  // in deviations of v
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using half_plane::Basis;
 using half_plane::ClosureEquations;
+using half_plane::OrthonormalBasis;
 using half_plane::QuadraturePoints;
 
 constexpr int kContactWallPoints = 40;
@@ -34,11 +34,11 @@ problem::Problem pressed_mass_problem(const char* law) {
 }
 
 ClosureEquations contact_equations_of(const problem::Problem& p, int order, int points_each_way,
-                                      const half_plane::Confinement& confinement = {}) {
-  const Coordinates coordinates(p);
+                                      const half_plane::ExponentConfinement& confinement = {}) {
+  const AmplitudeVelocityCoordinates coordinates(p);
   const QuadraturePoints points = amplitude::quadrature_points(
       coordinates, kRhoMax, {}, {points_each_way, points_each_way, kContactWallPoints});
-  const Basis basis(order, points, tests::boltzmann_mass(points, kTemperature));
+  const OrthonormalBasis basis(order, points, tests::boltzmann_mass(points, kTemperature));
   return amplitude::closure_equations(p, coordinates, kRhoMax, confinement, basis, points,
                                       kContactWallPoints);
 }
@@ -55,7 +55,7 @@ VectorXd perturbed_contact_coefficients(const ClosureEquations& equations) {
 TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
   const auto p = pressed_mass_problem("two_point");
   const ClosureEquations equations = contact_equations_of(p, 4, 40);
-  const Coordinates coordinates(p);
+  const AmplitudeVelocityCoordinates coordinates(p);
   const auto& basis = equations.basis();
   const auto& all = equations.points();
   const auto density = equations.evaluate_density(perturbed_contact_coefficients(equations));
@@ -77,7 +77,7 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
       (2 * dt).cwiseInverse().asDiagonal() * (at(y + dy, v + dv) - at(y - dy, v - dv));
   VectorXd expected = flow.transpose() * mass;
   const VectorXd here = VectorXd::Zero(1);
-  for (const auto& [amplitude, probability] : p.impulses.amplitude_law().atoms()) {
+  for (const auto& [amplitude, probability] : p.impulses.amplitude_law().amplitude_atoms()) {
     const VectorXd kicked = v.array() + amplitude;
     expected += 2 * probability * (at(y, kicked) - at(y, v)).transpose() * mass;
     const VectorXd freed =
@@ -87,9 +87,10 @@ TEST(ContactEquations, AreTheRatesOfChangeOfTheMeans) {
   }
   const auto wall = numerics::gauss_legendre_rule(kContactWallPoints, 0, kRhoMax);
   const VectorXd zero = VectorXd::Zero(wall.size());
-  const MatrixXd change =
-      at(zero, kRestitution * wall.point_vector()) - at(zero, -wall.point_vector());
-  expected += change.transpose() * wall.point_vector().cwiseProduct(density.wall_mass);
+  const MatrixXd change = at(zero, kRestitution * wall.quadrature_points_as_vector()) -
+                          at(zero, -wall.quadrature_points_as_vector());
+  expected +=
+      change.transpose() * wall.quadrature_points_as_vector().cwiseProduct(density.wall_mass);
 
   const VectorXd residual = equations.residual(density);
   for (Eigen::Index s = 0; s < residual.size(); ++s) {
@@ -125,7 +126,7 @@ TEST(ContactEquations, JacobianIsTheDerivativeOfTheResidual) {
   const auto p = pressed_mass_problem("laplace");
   for (const double level : {std::numeric_limits<double>::infinity(), 1.5}) {
     const ClosureEquations equations =
-        contact_equations_of(p, 4, 24, half_plane::Confinement{level});
+        contact_equations_of(p, 4, 24, half_plane::ExponentConfinement{level});
     tests::expect_jacobian_is_derivative(equations, perturbed_contact_coefficients(equations));
   }
 }

@@ -20,8 +20,8 @@ using transform::GridDensity;
 using transform::Status;
 
 // The time limit lets the tests end on a slow machine (emulation, sanitizers).
-Options contact_options(int order) {
-  Options options = tests::closure_options(Formulation::polar, order);
+ClosureOptions contact_options(int order) {
+  ClosureOptions options = tests::closure_options(Formulation::polar, order);
   options.max_seconds = 300;
   return options;
 }
@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(Each, RestInContact, testing::Values(2, 4, 6));
 TEST_P(RestInContact, MeetsItsBalancesAndItsMass) {
   for (const double r : {0.5, 0.7}) {
     const auto p = problem::load_case("preload", {"system.restitution=" + std::to_string(r)});
-    const auto [solution, summary] = solve(p, contact_options(GetParam()));
+    const auto [solution, summary] = solve_closure(p, contact_options(GetParam()));
     ASSERT_EQ(solution.status, Status::ok) << solution.reason;
     EXPECT_LT(summary.residual, 1e-10);
     EXPECT_LT(std::abs(solution.energy_residual), 1e-10);
@@ -61,7 +61,7 @@ TEST(RestInContact, UnderRareImpulsesHasTheFlightTimeOfParabolas) {
   for (const double r : {0.5, 0.7}) {
     const auto share = [&](double rate) {
       const auto solution =
-          solve(bouncing_ball_problem(rate, rate, r), contact_options(2)).solution;
+          solve_closure(bouncing_ball_problem(rate, rate, r), contact_options(2)).solution;
       if (solution.atoms.empty()) return 0.0;
       const double aloft = rate * std::sqrt(2 / std::numbers::pi) * (1 + r) / (1.3 * (1 - r));
       return (1 - solution.atoms[0].probability) / aloft;
@@ -74,9 +74,9 @@ TEST(RestInContact, UnderRareImpulsesHasTheFlightTimeOfParabolas) {
 
 TEST(RestInContact, OrdersConvergeTowardsEachOther) {
   const auto p = problem::load_case("preload");
-  const double four = *solve(p, contact_options(4)).summary.distance_to_previous;
-  const double six = *solve(p, contact_options(6)).summary.distance_to_previous;
-  const double eight = *solve(p, contact_options(8)).summary.distance_to_previous;
+  const double four = *solve_closure(p, contact_options(4)).summary.distance_to_previous;
+  const double six = *solve_closure(p, contact_options(6)).summary.distance_to_previous;
+  const double eight = *solve_closure(p, contact_options(8)).summary.distance_to_previous;
   EXPECT_LT(six, four / 2);
   EXPECT_LT(eight, six / 2);
 }
@@ -92,7 +92,7 @@ TEST(RestInContact, IsEvaluatedFromItsClosedForm) {
                            impulses)};
   for (const auto& physical : problems) {
     const auto seen = tests::in_wall_coordinates(physical);
-    Result result = solve(seen, contact_options(4));
+    ClosureResult result = solve_closure(seen, contact_options(4));
     ASSERT_EQ(result.solution.status, Status::ok) << result.solution.reason;
     const auto form = read_closed_form(result.solution.metrics);
     EXPECT_EQ(form.frame.variables, ExponentCoordinates::contact);
@@ -102,8 +102,8 @@ TEST(RestInContact, IsEvaluatedFromItsClosedForm) {
         transform::to_physical_coordinates(seen.frame, std::move(result.solution));
     const auto& cells = std::get<GridDensity>(*solution.density);
     double most = 0;
-    for (std::size_t i = 60; i < cells.ny(); i += 25) {
-      for (std::size_t j = 5; j < cells.nv(); j += 31) {
+    for (std::size_t i = 60; i < cells.y_cell_count(); i += 25) {
+      for (std::size_t j = 5; j < cells.v_cell_count(); j += 31) {
         const double average = cells.cell_average(i, j);
         const double evaluated_average = numerics::gauss_legendre_average(
             [&](double y) {

@@ -8,7 +8,7 @@
 namespace fpkcheck::epc {
 namespace {
 
-const Polynomial kPolynomial(
+const ExponentPolynomial kPolynomial(
     {{1, 0, 0.5}, {0, 1, -2}, {2, 0, 3}, {1, 1, -1}, {0, 3, 0.25}, {2, 1, 4}});
 
 double expected_value(double x, double y) {
@@ -37,7 +37,7 @@ using tests::radial_quartic_polynomial;
 using tests::scaled_polynomial;
 
 TEST(LeadingForm, OfAGaussianIsNegative) {
-  const LeadingForm form = leading_form(radial_quartic_polynomial(0), kSigma);
+  const LeadingFormOfExponent form = leading_form(radial_quartic_polynomial(0), kSigma);
   EXPECT_TRUE(form.negative);
   EXPECT_EQ(form.rising_fraction, 0);
 }
@@ -56,7 +56,7 @@ TEST(LeadingForm, IgnoresCoefficientsThatAreRounding) {
 }
 
 TEST(LeadingForm, NamesTheWorstDirectionAndTheRadius) {
-  const LeadingForm form = leading_form(
+  const LeadingFormOfExponent form = leading_form(
       scaled_polynomial({{2, 0, -0.5}, {0, 2, -0.5}, {4, 0, 1.0 / 64}, {2, 2, -1}, {0, 4, -0.1}}),
       kSigma);
   EXPECT_FALSE(form.negative);
@@ -68,7 +68,7 @@ TEST(LeadingForm, NamesTheWorstDirectionAndTheRadius) {
 }
 
 TEST(LeadingForm, DetectsAnOddLeadingDegree) {
-  const LeadingForm form =
+  const LeadingFormOfExponent form =
       leading_form(scaled_polynomial({{2, 0, -1}, {0, 2, -1}, {0, 3, 0.1}}), kSigma);
   EXPECT_FALSE(form.negative);
   EXPECT_NEAR(form.worst.x2, 1, 1e-12);

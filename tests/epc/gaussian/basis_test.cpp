@@ -11,7 +11,7 @@ namespace fpkcheck::epc::gaussian {
 namespace {
 
 // Returns the values of all basis functions at one point.
-Eigen::RowVectorXd basis_values_at_point(const Basis& basis, double x1, double x2) {
+Eigen::RowVectorXd basis_values_at_point(const GaussianWeightedBasis& basis, double x1, double x2) {
   return basis.basis_values(Eigen::VectorXd::Constant(1, x1), Eigen::VectorXd::Constant(1, x2));
 }
 
@@ -21,13 +21,13 @@ TEST(Basis, HasTheNumberOfUnknownsOfThePaper) {
   const StandardDeviations sigma{1, 1};
   for (const auto& [order, general, symmetric] :
        {std::tuple{2, 5, 3}, {4, 14, 8}, {6, 27, 15}, {8, 44, 24}}) {
-    EXPECT_EQ(Basis(order, MonomialSet::general, sigma).size(), general);
-    EXPECT_EQ(Basis(order, MonomialSet::point_symmetric, sigma).size(), symmetric);
+    EXPECT_EQ(GaussianWeightedBasis(order, MonomialSet::general, sigma).size(), general);
+    EXPECT_EQ(GaussianWeightedBasis(order, MonomialSet::point_symmetric, sigma).size(), symmetric);
   }
 }
 
 TEST(Basis, DerivativesAgreeWithDifferencesOfTheValues) {
-  const Basis basis(6, MonomialSet::general, {0.7, 1.6});
+  const GaussianWeightedBasis basis(6, MonomialSet::general, {0.7, 1.6});
   const double x1 = 0.8, x2 = -1.1, h = 2e-2;
   const BasisDerivatives table =
       basis.basis_derivatives(Eigen::VectorXd::Constant(1, x1), Eigen::VectorXd::Constant(1, x2));
@@ -54,7 +54,7 @@ TEST(Basis, DerivativesAgreeWithDifferencesOfTheValues) {
 
 TEST(Basis, HasTheMeansAndTheGramMatrixOfTheWeights) {
   const StandardDeviations sigma{0.5, 2};
-  const Basis basis(4, MonomialSet::general, sigma);
+  const GaussianWeightedBasis basis(4, MonomialSet::general, sigma);
   const auto rule = numerics::gauss_hermite_rule(8);
   Eigen::VectorXd means = Eigen::VectorXd::Zero(basis.size());
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(basis.size(), basis.size());
@@ -72,7 +72,7 @@ TEST(Basis, HasTheMeansAndTheGramMatrixOfTheWeights) {
 }
 
 TEST(Basis, MonomialsHaveUnitNormUnderTheWeights) {
-  const Basis basis(4, MonomialSet::point_symmetric, {0.5, 2});
+  const GaussianWeightedBasis basis(4, MonomialSet::point_symmetric, {0.5, 2});
   // The norm of x1^2 is sqrt(E[x1^4]) = sqrt(3) sigma_1^2, and the norm of x1 x2 is sigma_1
   // sigma_2.
   const Eigen::RowVectorXd values = basis_values_at_point(basis, 1, 1);
@@ -81,7 +81,7 @@ TEST(Basis, MonomialsHaveUnitNormUnderTheWeights) {
 }
 
 TEST(Basis, ScaledCoefficientsAndPolynomialsAreInverse) {
-  const Basis basis(4, MonomialSet::point_symmetric, {0.5, 2});
+  const GaussianWeightedBasis basis(4, MonomialSet::point_symmetric, {0.5, 2});
   const Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(basis.size(), -1, 1);
   EXPECT_LT((basis.scaled_coefficients(basis.exponent_polynomial(a).terms()) - a).norm(), 1e-14);
 }

@@ -44,7 +44,7 @@ TEST(DensitySupport, EndsWhereTheExponentBeginsToRise) {
 
 TEST(DensitySupport, EndsAtAMinimumThatIsDeepEnoughEvenWhenTheExponentFallsLater) {
   // Along w: a minimum of exp(-19) at 6.3, a maximum of exp(-12) at 9.6, then a monotone fall.
-  const Polynomial q =
+  const ExponentPolynomial q =
       scaled_polynomial({{2, 0, -0.5}, {0, 2, -1.125}, {0, 4, 0.02025}, {0, 6, -1.02515625e-4}});
   const DensitySupport support(q, kSigma);
   EXPECT_TRUE(leading_form(q, kSigma).negative);
@@ -55,7 +55,7 @@ TEST(DensitySupport, EndsAtAMinimumThatIsDeepEnoughEvenWhenTheExponentFallsLater
 
 TEST(DensitySupport, KeepsADipInTheMiddle) {
   // Two peaks at u = +-2, a factor exp(8) above the saddle at the origin.
-  const Polynomial q = scaled_polynomial({{2, 0, 4}, {4, 0, -0.5}, {0, 2, -0.5}});
+  const ExponentPolynomial q = scaled_polynomial({{2, 0, 4}, {4, 0, -0.5}, {0, 2, -0.5}});
   const DensitySupport support(q, kSigma);
   EXPECT_NEAR(support.peak_exponent(), 8, 2e-3);
   EXPECT_TRUE(support.contains(0, 0));
@@ -70,7 +70,8 @@ TEST(DensitySupport, KeepsADipInTheMiddle) {
 
 TEST(DensitySupport, KeepsAShoulder) {
   // Along w: a minimum above 1e-6, a maximum below the peak, then a monotone fall.
-  const Polynomial q = scaled_polynomial({{2, 0, -0.5}, {0, 2, -2}, {0, 4, 0.3}, {0, 6, -0.0135}});
+  const ExponentPolynomial q =
+      scaled_polynomial({{2, 0, -0.5}, {0, 2, -2}, {0, 4, 0.3}, {0, 6, -0.0135}});
   const DensitySupport support(q, kSigma);
   EXPECT_TRUE(support.contains(0, 3 * kSigma.x2));
   EXPECT_LT(support.edge_density_ratio(), 1e-9);
@@ -78,7 +79,8 @@ TEST(DensitySupport, KeepsAShoulder) {
 
 TEST(DensitySupport, LeavesOutARiseAboveThePeak) {
   // Along w the minimum is shallow, and Q exceeds its peak before it falls at infinity.
-  const Polynomial q = scaled_polynomial({{2, 0, -0.5}, {0, 2, -1}, {0, 4, 0.1}, {0, 8, -5e-6}});
+  const ExponentPolynomial q =
+      scaled_polynomial({{2, 0, -0.5}, {0, 2, -1}, {0, 4, 0.1}, {0, 8, -5e-6}});
   const DensitySupport support(q, kSigma);
   EXPECT_LT(support.smallest_support_radius(), 2.3);
   EXPECT_NEAR(support.edge_density_ratio(), std::exp(-2.5), 1e-3);

@@ -18,9 +18,9 @@ namespace {
 
 const std::vector<std::string> kLaws{"gaussian", "laplace", "two_point", "uniform"};
 
-Basis make_basis(const problem::Problem& p, int order,
-                 MonomialSet set = MonomialSet::point_symmetric) {
-  return Basis(order, set, gaussian_weight_deviations(p));
+GaussianWeightedBasis make_basis(const problem::Problem& p, int order,
+                                 MonomialSet set = MonomialSet::point_symmetric) {
+  return GaussianWeightedBasis(order, set, gaussian_weight_deviations(p));
 }
 
 // The expectation has a closed form for a quadratic Q: for Q = -a x2^2 and a law with two atoms,
@@ -28,7 +28,7 @@ Basis make_basis(const problem::Problem& p, int order,
 TEST(JumpIntegralRemainder, IsTheJumpIntegralLessItsSeries) {
   const problem::Problem p =
       tests::make_problem({.rate = 0.7, .intensity = 0.3, .mean = 0.2, .law = "two_point"});
-  const Basis basis = make_basis(p, 2);
+  const GaussianWeightedBasis basis = make_basis(p, 2);
   const double a = 0.8, b = 0.35, radius = 3;  // Q = -a x2^2 + b x1 x2 - x1^2 / 2
   const Eigen::VectorXd coefficients =
       basis.scaled_coefficients({{2, 0, -0.5}, {1, 1, b}, {0, 2, -a}});
@@ -38,7 +38,7 @@ TEST(JumpIntegralRemainder, IsTheJumpIntegralLessItsSeries) {
     const double side = x1 > 0 ? 1 : -1;
     const double slope = b * x1 - 2 * a * x2, curvature = -2 * a;
     double sum = -1;
-    for (const auto& [y, probability] : impulses.amplitude_law().atoms()) {
+    for (const auto& [y, probability] : impulses.amplitude_law().amplitude_atoms()) {
       sum += probability * std::exp(-side * y * slope + y * y / 2 * curvature);
     }
     // The terms of the series are exp(-Q) times the derivatives of exp(Q).
@@ -75,9 +75,10 @@ TEST(JumpIntegralRemainder, IsTheJumpIntegralLessItsSeries) {
 
 TEST(JumpIntegralRemainder, OddProjectionsOfAPointSymmetricPolynomialVanish) {
   const problem::Problem p = tests::make_problem({.mean = 0.1, .law = "laplace"});
-  const Basis half = make_basis(p, 4), whole = make_basis(p, 4, MonomialSet::general);
+  const GaussianWeightedBasis half = make_basis(p, 4),
+                              whole = make_basis(p, 4, MonomialSet::general);
   const auto [s1, s2] = half.sigma();
-  const std::vector<Term> q{
+  const std::vector<ExponentMonomial> q{
       {2, 0, -0.5 / (s1 * s1)}, {0, 2, -0.5 / (s2 * s2)}, {1, 1, 0.1}, {0, 4, -0.01}};
   const Eigen::VectorXd even =
       JumpIntegralRemainder(half, p.impulses).projected_remainder(half.scaled_coefficients(q));
@@ -93,7 +94,7 @@ TEST(JumpIntegralRemainder, OddProjectionsOfAPointSymmetricPolynomialVanish) {
 TEST(JumpIntegralRemainder, JacobianIsTheDerivativeOfTheProjection) {
   for (const std::string& law : kLaws) {
     const problem::Problem p = tests::make_problem({.mean = 0.1, .law = law});
-    const Basis basis = make_basis(p, 6);
+    const GaussianWeightedBasis basis = make_basis(p, 6);
     const ProjectedEquations projection(basis, p.impulses);
     const ResidualCoefficients f = residual_coefficients(p, DensityEquation::kf);
     const auto [s1, s2] = basis.sigma();
@@ -117,7 +118,7 @@ TEST(JumpIntegralRemainder, JacobianIsTheDerivativeOfTheProjection) {
 TEST(JumpIntegralRemainder, IsOfSixthOrderInTheImpulses) {
   const auto size = [](double rate) {
     const problem::Problem p = tests::make_problem({.rate = rate});
-    const Basis basis = make_basis(p, 4);
+    const GaussianWeightedBasis basis = make_basis(p, 4);
     const auto [s1, s2] = basis.sigma();
     return JumpIntegralRemainder(basis, p.impulses)
         .projected_remainder(

@@ -43,10 +43,11 @@ TEST(GaussianNewton, ResidualUnitHasALowerLimit) {
   const ProjectedEquations projection = projection_of(p, 4);
   const auto f = residual_coefficients(p, DensityEquation::km4);
   const auto [s1, s2] = projection.basis().sigma();
-  EXPECT_DOUBLE_EQ(residual_unit(projection, f), 1e-4 * s2 / s1);
-  EXPECT_DOUBLE_EQ(residual_unit(projection_of(tests::paper_case(1), 4),
-                                 residual_coefficients(tests::paper_case(1), DensityEquation::km4)),
-                   0.1);
+  EXPECT_DOUBLE_EQ(projected_residual_unit(projection, f), 1e-4 * s2 / s1);
+  EXPECT_DOUBLE_EQ(
+      projected_residual_unit(projection_of(tests::paper_case(1), 4),
+                              residual_coefficients(tests::paper_case(1), DensityEquation::km4)),
+      0.1);
 }
 
 }  // namespace

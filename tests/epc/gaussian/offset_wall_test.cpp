@@ -35,7 +35,7 @@ TEST(GaussianClosureBehindAnOffsetWall, TheExactElasticDensityMeetsItsEquation) 
       for (const double x2 : {-0.7, 0.4}) {
         const double side = x1 > 0 ? 1 : -1, y = std::abs(x1) + wall;
         const double force = y + 0.3 * y * y * y;
-        const ExponentDerivatives q{
+        const ExponentPartialDerivatives q{
             .q1 = -beta * side * force, .q2 = -beta * x2, .q22 = -beta, .q222 = 0, .q2222 = 0};
         EXPECT_NEAR(smooth_residual_part(f, x1, x2, q) + side * signed_residual_part(f, x1, q), 0,
                     1e-13);
@@ -50,9 +50,9 @@ TEST(GaussianClosureBehindAnOffsetWall, ApproximatesTheExactElasticLaw) {
   const auto p = elastic_problem({.left = 0.2, .left_restitution = 1}, 0.4);
   const exact::EnergyLaw law(p);
   const auto relative_error = [&](int order) {
-    const auto solution =
-        solve(tests::in_wall_coordinates(p), tests::closure_options(Formulation::gaussian, order))
-            .solution;
+    const auto solution = solve_closure(tests::in_wall_coordinates(p),
+                                        tests::closure_options(Formulation::gaussian, order))
+                              .solution;
     EXPECT_TRUE(solution.density) << solution.reason;
     EXPECT_NEAR(solution.moments.v2, law.moment(0, 2), 1e-3 * law.moment(0, 2)) << order;
     return std::abs(solution.moments.y2 / law.moment(2, 0) - 1);
@@ -69,14 +69,15 @@ TEST(GaussianClosureBehindAnOffsetWall, IsTheSameInAMirror) {
   const problem::SystemCoefficients spring{.damping = 0.2, .constant = 0.1, .stiffness = 1};
   problem::SystemCoefficients reflected = spring;
   reflected.constant = -spring.constant;
-  const auto left = solve(tests::in_wall_coordinates(tests::with_impulses(
-                              System(spring, {.left = -0.05, .left_restitution = 0.95}), impulses)),
-                          tests::closure_options(Formulation::gaussian, 6))
-                        .solution;
+  const auto left =
+      solve_closure(tests::in_wall_coordinates(tests::with_impulses(
+                        System(spring, {.left = -0.05, .left_restitution = 0.95}), impulses)),
+                    tests::closure_options(Formulation::gaussian, 6))
+          .solution;
   const auto right =
-      solve(tests::in_wall_coordinates(tests::with_impulses(
-                System(reflected, {.right = 0.05, .right_restitution = 0.95}), turned)),
-            tests::closure_options(Formulation::gaussian, 6))
+      solve_closure(tests::in_wall_coordinates(tests::with_impulses(
+                        System(reflected, {.right = 0.05, .right_restitution = 0.95}), turned)),
+                    tests::closure_options(Formulation::gaussian, 6))
           .solution;
   ASSERT_TRUE(left.density && right.density) << left.reason << right.reason;
   EXPECT_NEAR(left.moments.y1, -right.moments.y1, 1e-12);

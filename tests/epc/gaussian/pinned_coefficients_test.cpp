@@ -67,9 +67,10 @@ const std::vector<Pinned> kPinnedCoefficients{
 TEST(PinnedCoefficients, CoefficientsOfThePaperCasesAreUnchanged) {
   for (const auto& [order, number, expected] : kPinnedCoefficients) {
     const problem::Problem p = tests::paper_case(number);
-    const Basis basis(order, MonomialSet::point_symmetric, gaussian_weight_deviations(p));
+    const GaussianWeightedBasis basis(order, MonomialSet::point_symmetric,
+                                      gaussian_weight_deviations(p));
     const Eigen::VectorXd a =
-        basis.scaled_coefficients(solve(p, {.order = order}).summary.coefficients);
+        basis.scaled_coefficients(solve_closure(p, {.order = order}).summary.coefficients);
     const Eigen::VectorXd pinned =
         Eigen::Map<const Eigen::VectorXd>(expected.data(), std::ssize(expected));
     ASSERT_EQ(a.size(), pinned.size());

@@ -25,7 +25,7 @@ problem::Problem skewed_problem() {
 }
 
 ProjectedEquations make_projection(const problem::Problem& problem, int order, MonomialSet set) {
-  return ProjectedEquations(Basis(order, set, gaussian_weight_deviations(problem)));
+  return ProjectedEquations(GaussianWeightedBasis(order, set, gaussian_weight_deviations(problem)));
 }
 
 Eigen::VectorXd random_coefficients(Eigen::Index size, double scale) {
@@ -42,7 +42,7 @@ class DirectEvaluation {
 
   /// @param force g(y), y >= 0
   DirectEvaluation(const problem::Problem& problem, const numerics::Polynomial& force,
-                   DensityEquation equation, Polynomial q)
+                   DensityEquation equation, ExponentPolynomial q)
       : problem_(problem),
         force_(force),
         higher_(equation == DensityEquation::km4),
@@ -102,7 +102,7 @@ class DirectEvaluation {
   problem::Problem problem_;
   numerics::Polynomial force_;
   bool higher_;
-  Polynomial q_;
+  ExponentPolynomial q_;
 };
 
 double normal_density(double x, double sigma) {
@@ -110,7 +110,8 @@ double normal_density(double x, double sigma) {
 }
 
 // Returns the projections (23) by quadrature on panels over the four quadrants and along the wall.
-Eigen::VectorXd directly_evaluated_residual(const DirectEvaluation& brute, const Basis& basis) {
+Eigen::VectorXd directly_evaluated_residual(const DirectEvaluation& brute,
+                                            const GaussianWeightedBasis& basis) {
   constexpr int kPanels = 4;
   const double s1 = basis.sigma().x1, s2 = basis.sigma().x2;
   const double far = 11;

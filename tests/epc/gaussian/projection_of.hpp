@@ -8,8 +8,8 @@ namespace fpkcheck::epc::gaussian {
 
 /// Returns the projected equations for the point-symmetric monomials.
 inline ProjectedEquations projection_of(const problem::Problem& problem, int order) {
-  return ProjectedEquations(
-      Basis(order, MonomialSet::point_symmetric, gaussian_weight_deviations(problem)));
+  return ProjectedEquations(GaussianWeightedBasis(order, MonomialSet::point_symmetric,
+                                                  gaussian_weight_deviations(problem)));
 }
 
 }  // namespace fpkcheck::epc::gaussian

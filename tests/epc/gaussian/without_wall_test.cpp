@@ -19,8 +19,8 @@ namespace {
 using problem::System;
 using transform::Status;
 
-Result solve_gaussian(const problem::Problem& problem, int order) {
-  return solve(problem, tests::closure_options(Formulation::gaussian, order));
+ClosureResult solve_gaussian(const problem::Problem& problem, int order) {
+  return solve_closure(problem, tests::closure_options(Formulation::gaussian, order));
 }
 
 // Duffing oscillator, bistable oscillator, and an asymmetric force, which needs all monomials.
@@ -38,12 +38,13 @@ TEST(GaussianClosureWithoutWall, IsExactForWhiteNoiseFromOrderFourOn) {
     const auto p = tests::with_noise(system, intensity);
     const exact::EnergyLaw law(p);
     const auto [solution, summary] = solve_gaussian(p, 4);
-    ASSERT_EQ(solution.status, Status::ok) << parameters_text(p) << ": " << solution.reason;
-    EXPECT_NEAR(solution.moments.y1, law.moment(1, 0), 1e-9) << parameters_text(p);
-    EXPECT_NEAR(solution.moments.y2, law.moment(2, 0), 1e-9) << parameters_text(p);
-    EXPECT_NEAR(solution.moments.y4, law.moment(4, 0), 1e-9) << parameters_text(p);
-    EXPECT_NEAR(solution.moments.v4, law.moment(0, 4), 1e-9) << parameters_text(p);
-    EXPECT_NEAR(*summary.balances.virial, 0, 1e-9) << parameters_text(p);
+    ASSERT_EQ(solution.status, Status::ok)
+        << non_default_parameters_text(p) << ": " << solution.reason;
+    EXPECT_NEAR(solution.moments.y1, law.moment(1, 0), 1e-9) << non_default_parameters_text(p);
+    EXPECT_NEAR(solution.moments.y2, law.moment(2, 0), 1e-9) << non_default_parameters_text(p);
+    EXPECT_NEAR(solution.moments.y4, law.moment(4, 0), 1e-9) << non_default_parameters_text(p);
+    EXPECT_NEAR(solution.moments.v4, law.moment(0, 4), 1e-9) << non_default_parameters_text(p);
+    EXPECT_NEAR(*summary.balances.virial, 0, 1e-9) << non_default_parameters_text(p);
   }
 }
 
@@ -55,7 +56,8 @@ TEST(GaussianClosureWithoutWall, TheExactRingMeetsTheEquations) {
       System({.damping = -1, .van_der_pol = 1, .rayleigh = 1, .stiffness = 1}, {.none = true}),
       intensity);
   for (const auto set : {MonomialSet::point_symmetric, MonomialSet::general}) {
-    const ProjectedEquations projection(Basis(4, set, gaussian_weight_deviations(p)));
+    const ProjectedEquations projection(
+        GaussianWeightedBasis(4, set, gaussian_weight_deviations(p)));
     const auto f = residual_coefficients(p, problem::DensityEquation::km4);
     const Eigen::VectorXd a = projection.basis().scaled_coefficients({{2, 0, 1 / intensity},
                                                                       {0, 2, 1 / intensity},
@@ -79,7 +81,7 @@ TEST(GaussianClosureWithoutWall, JacobianIsTheDerivativeOfTheResidual) {
                                 tests::gaussian_impulses(1, 0.3, 0.1));
   p.noise = {0.2};
   const ProjectedEquations projection(
-      Basis(4, MonomialSet::general, gaussian_weight_deviations(p)));
+      GaussianWeightedBasis(4, MonomialSet::general, gaussian_weight_deviations(p)));
   const auto f = residual_coefficients(p, problem::DensityEquation::km4);
   const Eigen::VectorXd a = Eigen::VectorXd::LinSpaced(projection.basis().size(), -0.3, 0.2);
   const Eigen::MatrixXd jacobian = projection.jacobian(f, a);
@@ -127,7 +129,7 @@ TEST(GaussianClosureWithoutWall, IsInadmissibleByTheVirialBalance) {
 TEST(GaussianClosureWithoutWall, SurvivesARoundTripThroughItsClosedForm) {
   const auto p = tests::with_noise(
       System({.damping = 0.2, .constant = 0.1, .stiffness = 1, .cubic = 0.5}, {.none = true}), 0.4);
-  const Result result = solve_gaussian(p, 4);
+  const ClosureResult result = solve_gaussian(p, 4);
   const auto& solver_density = std::get<transform::SmoothDensity>(*result.solution.density);
   const auto again = density_of_closed_form(read_closed_form(result.solution.metrics), &p);
   EXPECT_EQ(again.y_min, solver_density.y_min);

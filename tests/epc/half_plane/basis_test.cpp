@@ -69,7 +69,7 @@ TEST(BasisAtPoints, SumsAreThoseOfTheTableOfBasisFunctions) {
   const QuadraturePoints points = points_on_lines();
   VectorXd mass = (VectorXd::LinSpaced(points.size(), 0, 3).array().cos() + 1.5).matrix();
   mass /= mass.sum();
-  const Basis basis(4, points, mass);
+  const OrthonormalBasis basis(4, points, mass);
   const BasisAtPoints at_points(basis, points.s, points.t);
   const MatrixXd table = basis.basis_values(points.s, points.t);
   ASSERT_EQ(at_points.size(), table.cols());

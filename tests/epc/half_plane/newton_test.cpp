@@ -20,10 +20,11 @@ ClosureEquations moment_equations_of_order_4(const problem::Problem& p) {
   std::vector<double> rate_times_moment(kOrder + 1);
   for (int j = 1; j <= kOrder; ++j) rate_times_moment[j] = p.impulses.rate_times_moment(j);
   const double temperature = tests::temperature_of(p);
-  const Confinement confinement{18 * temperature};
-  const moment::EnergyDomain domain(p, confinement.level * Confinement::support_to_level_ratio());
+  const ExponentConfinement confinement{18 * temperature};
+  const moment::EnergyDomain domain(
+      p, confinement.level * ExponentConfinement::support_to_level_ratio());
   const QuadraturePoints points = domain.quadrature_points(50, 60);
-  const Basis basis(kOrder, points, tests::boltzmann_mass(points, temperature));
+  const OrthonormalBasis basis(kOrder, points, tests::boltzmann_mass(points, temperature));
   return moment::closure_equations(p, rate_times_moment, domain, confinement, basis, points, 60);
 }
 
@@ -35,7 +36,7 @@ TEST(HalfPlaneNewton, TheHomotopyLeadsToTheRootThatNewtonFinds) {
   const auto direct = solve_by_newton(equations, start, p.system.damping(), {.max_iterations = 60});
   ASSERT_TRUE(direct.converged);
   const auto path = follow_homotopy(equations, start);
-  ASSERT_EQ(path.end, numerics::TerminationReason::end_reached);
+  ASSERT_EQ(path.end, numerics::ContinuationTermination::end_reached);
   EXPECT_GT(path.points.size(), 4u);  // the path is long
   EXPECT_EQ(path.points.back().t, 1);
   const auto refined = solve_by_newton(equations, path.points.back().a, p.system.damping(), {});

@@ -11,13 +11,13 @@ namespace {
 using transform::Status;
 
 // Returns the status of a root whose slowest deviation has the given eigenvalue.
-Result result_with_eigenvalue(std::complex<double> eigenvalue) {
+ClosureResult result_with_eigenvalue(std::complex<double> eigenvalue) {
   RootSearchResult root;
   root.rightmost_eigenvalue = eigenvalue;
   root.rate_of_change_unit = 0.1;
-  Result result;
+  ClosureResult result;
   result.solution.mass = 1;
-  result.summary.half_plane = HalfPlaneSummary{};
+  result.summary.half_plane = HalfPlaneClosureSummary{};
   set_status(root, 1e-6, "", result);
   return result;
 }

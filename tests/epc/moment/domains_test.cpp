@@ -27,11 +27,12 @@ using tests::with_noise;
 using transform::SmoothDensity;
 using transform::Status;
 
-Result solve_moment(const problem::Problem& problem, int order) {
-  return solve(in_wall_coordinates(problem), tests::closure_options(Formulation::moment, order));
+ClosureResult solve_moment(const problem::Problem& problem, int order) {
+  return solve_closure(in_wall_coordinates(problem),
+                       tests::closure_options(Formulation::moment, order));
 }
 
-SmoothDensity physical_density_of(const problem::Problem& problem, const Result& result) {
+SmoothDensity physical_density_of(const problem::Problem& problem, const ClosureResult& result) {
   return std::get<SmoothDensity>(transform::to_physical_coordinates(
       problem::wall_frame(problem.system), *result.solution.density));
 }
@@ -182,11 +183,12 @@ TEST(MomentClosureOnDomains, KeepsTheBalancesWithLossesAtEveryWall) {
       with_noise(System({.damping = 0.1, .stiffness = 1, .restitution = 0.8}), 0.1)};
   for (const auto& p : problems) {
     const auto [solution, summary] = solve_moment(p, 4);
-    ASSERT_EQ(solution.status, Status::ok) << parameters_text(p) << ": " << solution.reason;
-    EXPECT_LT(std::abs(solution.energy_residual), 1e-7) << parameters_text(p);
-    EXPECT_LT(std::abs(*summary.balances.virial), 1e-7) << parameters_text(p);
-    EXPECT_LT(std::abs(*summary.balances.momentum), 1e-7) << parameters_text(p);
-    EXPECT_NEAR(solution.mass, 1, 1e-9) << parameters_text(p);
+    ASSERT_EQ(solution.status, Status::ok)
+        << non_default_parameters_text(p) << ": " << solution.reason;
+    EXPECT_LT(std::abs(solution.energy_residual), 1e-7) << non_default_parameters_text(p);
+    EXPECT_LT(std::abs(*summary.balances.virial), 1e-7) << non_default_parameters_text(p);
+    EXPECT_LT(std::abs(*summary.balances.momentum), 1e-7) << non_default_parameters_text(p);
+    EXPECT_NEAR(solution.mass, 1, 1e-9) << non_default_parameters_text(p);
   }
 }
 
@@ -201,7 +203,8 @@ TEST(MomentClosureOnDomains, AMirrorImageReflectsTheSolution) {
   const auto mirrored = with_impulses(System({.damping = 0.1, .stiffness = 1, .cubic = 0.1},
                                              {.right = 0, .right_restitution = 0.98}),
                                       gaussian_impulses(1, 0.1, -0.03));
-  const auto here = solve(original, tests::closure_options(Formulation::moment, 6)).solution;
+  const auto here =
+      solve_closure(original, tests::closure_options(Formulation::moment, 6)).solution;
   const auto there = solve_moment(mirrored, 6).solution;
   ASSERT_EQ(there.status, Status::ok) << there.reason;
   EXPECT_NEAR(there.moments.y1, -here.moments.y1, 1e-8);
@@ -254,10 +257,10 @@ TEST(MomentClosureOnDomains, ConvergesInTheOrder) {
       to_next.push_back(l1_distances(std::get<SmoothDensity>(*fine.solution.density),
                                      std::get<SmoothDensity>(*coarse.solution.density).value));
     }
-    EXPECT_LT(to_next[1].y, bar_y) << parameters_text(problem);
-    EXPECT_LT(to_next[1].v, bar_v) << parameters_text(problem);
-    EXPECT_LT(to_next[1].y, to_next[0].y / 2) << parameters_text(problem);
-    EXPECT_LT(to_next[1].v, to_next[0].v / 2) << parameters_text(problem);
+    EXPECT_LT(to_next[1].y, bar_y) << non_default_parameters_text(problem);
+    EXPECT_LT(to_next[1].v, bar_v) << non_default_parameters_text(problem);
+    EXPECT_LT(to_next[1].y, to_next[0].y / 2) << non_default_parameters_text(problem);
+    EXPECT_LT(to_next[1].v, to_next[0].v / 2) << non_default_parameters_text(problem);
   }
 }
 

@@ -63,7 +63,7 @@ TEST(EnergyDomain, RuleConvergesOnADuffingOscillator) {
   for (int i = 0; i < kCells; ++i) {
     const double phi = (i + 0.5) / kCells * pi / 2;
     const double y = domain.y_max() * std::sin(phi);
-    area += 2 * domain.v_half_width(y) * domain.y_max() * std::cos(phi) * pi / 2 / kCells;
+    area += 2 * domain.velocity_half_width(y) * domain.y_max() * std::cos(phi) * pi / 2 / kCells;
   }
   EXPECT_NEAR(
       integral_over_domain(domain.quadrature_points(40, 2), [](double, double) { return 1.0; }),
@@ -88,7 +88,7 @@ TEST(EnergyDomain, OfAHeldOscillatorIsAnOvalUntilItMeetsTheWall) {
   // At this level the wall cuts the circle of radius 5 about (3, 0) at y = 0.
   const EnergyDomain cut(held, 12.5);
   EXPECT_EQ(cut.y_low(), 0);
-  EXPECT_NEAR(cut.v_half_width(0), 4, 1e-12);
+  EXPECT_NEAR(cut.velocity_half_width(0), 4, 1e-12);
   EXPECT_NEAR(
       integral_over_domain(cut.quadrature_points(30, 10), [](double, double) { return 1.0; }),
       25 * (pi - std::acos(0.6)) + 12, 1e-8);
@@ -100,7 +100,7 @@ TEST(EnergyDomain, OfAnOscillatorPushedToTheWallBeginsAtTheWall) {
   const auto pushed = make_problem({.cubic = 0, .rate = 100, .intensity = 0.5, .mean = -0.03});
   const EnergyDomain domain(pushed, 3.5);  // y^2/2 + 3 y = 3.5 at y = 1
   EXPECT_NEAR(domain.y_max(), 1, 1e-12);
-  EXPECT_NEAR(domain.v_half_width(0), std::sqrt(7.0), 1e-12);
+  EXPECT_NEAR(domain.velocity_half_width(0), std::sqrt(7.0), 1e-12);
   const QuadraturePoints quadrature_points = domain.quadrature_points(40, 10);
   for (Eigen::Index i = 0; i < quadrature_points.y.size(); ++i) {
     EXPECT_TRUE(domain.contains(quadrature_points.y[i], quadrature_points.v[i]));

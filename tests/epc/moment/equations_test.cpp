@@ -14,9 +14,9 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using half_plane::Basis;
 using half_plane::ClosureEquations;
-using half_plane::Confinement;
+using half_plane::ExponentConfinement;
+using half_plane::OrthonormalBasis;
 using half_plane::QuadraturePoints;
 using tests::make_problem;
 
@@ -34,12 +34,13 @@ ClosureEquations make_moment_equations(const problem::Problem& p, int order, int
                                        double deviations, bool confined = false) {
   const double temperature = tests::temperature_of(p);
   const double level = temperature * deviations * deviations / 2;
-  const EnergyDomain domain(p, level * (confined ? Confinement::support_to_level_ratio() : 1));
+  const EnergyDomain domain(p,
+                            level * (confined ? ExponentConfinement::support_to_level_ratio() : 1));
   const QuadraturePoints points = points_of(domain);
-  const Basis basis(order, points, tests::boltzmann_mass(points, temperature));
+  const OrthonormalBasis basis(order, points, tests::boltzmann_mass(points, temperature));
   return closure_equations(p, rates_times_moments(p, order, last_moment), domain,
-                           confined ? Confinement{level} : Confinement{}, basis, points,
-                           kWallPoints);
+                           confined ? ExponentConfinement{level} : ExponentConfinement{}, basis,
+                           points, kWallPoints);
 }
 
 VectorXd white_noise_exponent(const problem::Problem& p, const ClosureEquations& equations) {
@@ -88,7 +89,7 @@ TEST(MomentEquations, ImpulsesChangeTheMomentsAsJumpsDo) {
   mass = mass.cwiseProduct(points.weight);
   mass /= mass.sum();
   const int order = 5;
-  const Basis basis(order, points, mass);
+  const OrthonormalBasis basis(order, points, mass);
   const auto moments = rates_times_moments(p, order, order);
   const ClosureEquations with =
       closure_equations(p, moments, domain, {}, basis, points, kWallPoints);
@@ -100,7 +101,7 @@ TEST(MomentEquations, ImpulsesChangeTheMomentsAsJumpsDo) {
 
   const auto density = with.evaluate_density(a);
   VectorXd expected = VectorXd::Zero(basis.size());
-  for (const auto& [amplitude, probability] : p.impulses.amplitude_law().atoms()) {
+  for (const auto& [amplitude, probability] : p.impulses.amplitude_law().amplitude_atoms()) {
     const VectorXd kicked = points.v.array() + amplitude;
     expected += 2 * probability *
                 (basis.basis_values(points.y, kicked) - basis.basis_values(points.y, points.v))
@@ -121,7 +122,7 @@ TEST(MomentEquations, AFitRecoversAPolynomialExponent) {
   const VectorXd exponent = (equations.basis().basis_values(y, v) * a).array() + 5.0;
   const VectorXd mass = VectorXd::Constant(y.size(), 1.0 / static_cast<double>(y.size()));
   EXPECT_LT((equations.fit_coefficients(exponent, mass) - a).cwiseAbs().maxCoeff(), 1e-9);
-  const Polynomial q = equations.basis().exponent_polynomial(a);
+  const ExponentPolynomial q = equations.basis().exponent_polynomial(a);
   EXPECT_NEAR(q(y[7], v[7]) - q(y[900], v[900]), exponent[7] - exponent[900], 1e-9);
 }
 
@@ -155,7 +156,7 @@ ClosureEquations make_equations_between_walls(const problem::Problem& p, int ord
                                               double temperature) {
   const EnergyDomain domain(p, temperature * 50);
   const QuadraturePoints points = points_of(domain);
-  const Basis basis(order, points, tests::boltzmann_mass(points, temperature));
+  const OrthonormalBasis basis(order, points, tests::boltzmann_mass(points, temperature));
   return closure_equations(p, std::vector<double>(order + 1), domain, {}, basis, points,
                            kWallPoints);
 }

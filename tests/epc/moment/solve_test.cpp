@@ -20,7 +20,7 @@ using tests::make_problem;
 using tests::paper_case;
 using transform::Status;
 
-Options moment_options(int order, std::optional<DensityEquation> equation = {}) {
+ClosureOptions moment_options(int order, std::optional<DensityEquation> equation = {}) {
   return tests::closure_options(Formulation::moment, order, equation);
 }
 
@@ -30,7 +30,7 @@ INSTANTIATE_TEST_SUITE_P(Each, MomentCase, testing::Values(1, 2, 3, 4));
 TEST_P(MomentCase, EveryOrderConverges) {
   const auto p = paper_case(GetParam());
   for (int order = 2; order <= max_closure_order(Formulation::moment); order += 2) {
-    const auto [solution, summary] = solve(p, moment_options(order));
+    const auto [solution, summary] = solve_closure(p, moment_options(order));
     EXPECT_EQ(solution.status, Status::ok) << order << ": " << solution.reason;
     EXPECT_LT(summary.residual, 1e-10) << order;
     // Mass and balances use another quadrature, whose panels do not end at the edge of the domain.
@@ -47,8 +47,8 @@ TEST_P(MomentCase, EveryOrderConverges) {
 // docs/theory.md, section 1: p_3(y) = sqrt(10) p_2(sqrt(10) y), an invariance of the whole method.
 TEST(MomentClosure, CasesTwoAndThreeAreOneProblem) {
   for (const int order : {4, 8}) {
-    const auto two = solve(paper_case(2), moment_options(order));
-    const auto three = solve(paper_case(3), moment_options(order));
+    const auto two = solve_closure(paper_case(2), moment_options(order));
+    const auto three = solve_closure(paper_case(3), moment_options(order));
     EXPECT_NEAR(three.solution.moments.y2 * 10 / two.solution.moments.y2, 1, 1e-10);
     EXPECT_NEAR(three.solution.moments.v4 * 100 / two.solution.moments.v4, 1, 1e-10);
     auto scaled = coefficients_by_power(two.summary);
@@ -66,7 +66,8 @@ TEST(MomentClosure, IsExactForWhiteNoiseAtAnImpactWithoutLoss) {
   const std::map<std::pair<int, int>, double> exact{
       {{2, 0}, -beta / 2}, {{0, 2}, -beta / 2}, {{4, 0}, -beta * 0.7 / 4}};
   for (const int order : {4, 6, 8}) {
-    const auto [solution, summary] = solve(p, moment_options(order, DensityEquation::white));
+    const auto [solution, summary] =
+        solve_closure(p, moment_options(order, DensityEquation::white));
     EXPECT_EQ(solution.status, Status::ok) << solution.reason;
     const double tolerance = order == 4 ? 1e-10 : 1e-8;
     const double s1 = std::sqrt(solution.moments.y2), s2 = std::sqrt(solution.moments.v2);
@@ -91,7 +92,7 @@ TEST(MomentClosure, GivesTheExactMomentsOfTheLinearProcess) {
     const double v6 = exact::linear_cumulant(p, 0, 6) + 15 * exact::linear_cumulant(p, 0, 4) * v2 +
                       15 * v2 * v2 * v2;
     for (const int order : {4, 6, 8}) {
-      const auto [solution, summary] = solve(p, moment_options(order));
+      const auto [solution, summary] = solve_closure(p, moment_options(order));
       EXPECT_EQ(solution.status, Status::ok) << law << ": " << solution.reason;
       EXPECT_NEAR(solution.moments.y2 / y2, 1, 1e-8) << law << order;
       EXPECT_NEAR(solution.moments.v2 / v2, 1, 1e-8) << law << order;
@@ -110,13 +111,13 @@ TEST(MomentClosure, GivesTheExactMomentsOfTheLinearProcess) {
 // r = 1, any even potential, E[Y] = 0: E[v^2] = lambda E[Y^2] / (2c).
 TEST(MomentClosure, HasTheExactVelocityWithoutLosses) {
   const auto p = make_problem({.cubic = 3, .restitution = 1, .law = "laplace"});
-  EXPECT_NEAR(solve(p, moment_options(6)).solution.moments.v2, 0.5, 1e-8);
+  EXPECT_NEAR(solve_closure(p, moment_options(6)).solution.moments.v2, 0.5, 1e-8);
 }
 
 TEST(MomentClosure, ConvergesWithAMeanOfEitherSign) {
   for (const double mean : {-0.2, 0.2}) {
     const auto p = make_problem({.restitution = 0.9, .mean = mean});
-    const auto [solution, summary] = solve(p, moment_options(6));
+    const auto [solution, summary] = solve_closure(p, moment_options(6));
     EXPECT_EQ(solution.status, Status::ok) << solution.reason;
     EXPECT_LT(std::abs(solution.energy_residual), 1e-6);
     // Stationarity of E[y] requires E[v] = 0.
@@ -124,7 +125,7 @@ TEST(MomentClosure, ConvergesWithAMeanOfEitherSign) {
   }
   // Far from the wall the linear oscillator has the mean lambda E[Y] / k and E[v^2] without a wall.
   const auto held = make_problem({.cubic = 0, .rate = 1000, .intensity = 0.1, .mean = 0.008});
-  const auto [solution, summary] = solve(held, moment_options(4));
+  const auto [solution, summary] = solve_closure(held, moment_options(4));
   EXPECT_EQ(solution.status, Status::ok) << solution.reason;
   EXPECT_NEAR(solution.moments.y1, 8, 1e-6);
   EXPECT_NEAR(solution.moments.v2, 0.1 / 0.2, 1e-6);
@@ -148,7 +149,7 @@ TEST(MomentClosure, RandomProblemsConvergeAtEveryOrder) {
                                  .intensity = intensity,
                                  .law = k % 2 == 0 ? "gaussian" : "laplace"});
     for (int order = 2; order <= 8; order += 2) {
-      const auto [solution, summary] = solve(p, moment_options(order));
+      const auto [solution, summary] = solve_closure(p, moment_options(order));
       EXPECT_EQ(solution.status, Status::ok)
           << "problem " << k << ", r = " << restitution << ", lambda = " << rate
           << ", mu = " << cubic << ", n = " << order << ": " << solution.reason;
@@ -161,7 +162,7 @@ TEST(MomentClosure, RandomProblemsConvergeAtEveryOrder) {
 // n = 12, whose error is smaller by a factor.
 TEST(MomentClosure, TheDistanceToTheOrderBeforeMeasuresTheErrorThere) {
   const auto p = paper_case(1);
-  const auto fine = solve(p, moment_options(12)).solution;
+  const auto fine = solve_closure(p, moment_options(12)).solution;
   const auto edges = [](double from, double to) {
     std::vector<double> result;
     for (int i = 0; i <= 200; ++i) result.push_back(from + (to - from) * i / 200);
@@ -174,15 +175,15 @@ TEST(MomentClosure, TheDistanceToTheOrderBeforeMeasuresTheErrorThere) {
       const auto pa = transform::marginal(a, variable, bins);
       const auto pb = transform::marginal(fine, variable, bins);
       for (std::size_t b = 0; b < pa.size(); ++b) {
-        sum += std::abs(pa.density[b] - pb.density[b]) * pa.width(b);
+        sum += std::abs(pa.density[b] - pb.density[b]) * pa.bin_width(b);
       }
     }
     return sum;
   };
-  EXPECT_FALSE(solve(p, moment_options(2)).summary.distance_to_previous.has_value());
+  EXPECT_FALSE(solve_closure(p, moment_options(2)).summary.distance_to_previous.has_value());
   for (const int order : {4, 6, 8}) {
-    const double before = l1(solve(p, moment_options(order - 2)).solution);
-    const auto here = solve(p, moment_options(order));
+    const double before = l1(solve_closure(p, moment_options(order - 2)).solution);
+    const auto here = solve_closure(p, moment_options(order));
     EXPECT_GT(*here.summary.distance_to_previous, 0.5 * before) << order;
     EXPECT_LT(*here.summary.distance_to_previous, 1.5 * before) << order;
     EXPECT_LT(l1(here.solution), *here.summary.distance_to_previous) << order;
@@ -193,15 +194,15 @@ TEST(MomentClosure, TheDistanceToTheOrderBeforeMeasuresTheErrorThere) {
 // error.
 TEST(MomentClosure, ConvergesAtTheLeastDamping) {
   const auto p = make_problem({.damping = 1e-7, .restitution = 1, .intensity = 1e-7});
-  const auto [solution, summary] = solve(p, moment_options(8));
+  const auto [solution, summary] = solve_closure(p, moment_options(8));
   EXPECT_EQ(solution.status, Status::ok) << solution.reason;
   EXPECT_NEAR(solution.moments.v2, 0.5, 1e-5);
 }
 
 TEST(MomentClosure, ReasonStatesTheDensityAtTheEdgeOfACut) {
   auto options = moment_options(4);
-  options.tail = TailTreatment::cut;
-  const auto [solution, summary] = solve(paper_case(1), options);
+  options.tail = DensityTailTreatment::cut;
+  const auto [solution, summary] = solve_closure(paper_case(1), options);
   EXPECT_EQ(solution.id(), "epc-moment-cut-n4");
   EXPECT_EQ(solution.status, Status::inadmissible);
   EXPECT_NE(solution.reason.find("of its peak on the edge"), std::string::npos) << solution.reason;
@@ -214,7 +215,7 @@ TEST(MomentClosure, ReasonStatesTheDensityAtTheEdgeOfACut) {
 
 // The confinement gives the same Q_n a tail with little probability.
 TEST(MomentClosure, AConfinementMakesTheTailDecay) {
-  const auto [solution, summary] = solve(paper_case(1), moment_options(4));
+  const auto [solution, summary] = solve_closure(paper_case(1), moment_options(4));
   EXPECT_EQ(solution.status, Status::ok);
   EXPECT_FALSE(summary.leading_form->negative);  // Q_n itself rises
   EXPECT_LT(summary.support->edge_density, 1e-6);
@@ -224,7 +225,7 @@ TEST(MomentClosure, AConfinementMakesTheTailDecay) {
 // If Q_n falls by itself, the confinement level is an energy at which the density has decayed to
 // rounding; the confinement then has no effect.
 TEST(MomentClosure, TheConfinementHasNoEffectOnAFallingExponent) {
-  const auto [solution, summary] = solve(paper_case(1), moment_options(6));
+  const auto [solution, summary] = solve_closure(paper_case(1), moment_options(6));
   EXPECT_TRUE(summary.leading_form->negative);
   EXPECT_GT(summary.half_plane->level_deviations, 9);
   EXPECT_LT(summary.half_plane->beyond_level, 1e-15);
@@ -234,7 +235,7 @@ TEST(MomentClosure, TheConfinementHasNoEffectOnAFallingExponent) {
 TEST(MomentClosure, AHomotopyFindsARootWhereNewtonFails) {
   const auto p = make_problem(
       {.cubic = 1.19, .restitution = 0.40, .rate = 2.66, .intensity = 0.22, .mean = -0.264});
-  const auto [solution, summary] = solve(p, moment_options(6));
+  const auto [solution, summary] = solve_closure(p, moment_options(6));
   EXPECT_EQ(solution.status, Status::ok) << solution.reason;
   EXPECT_GT(summary.half_plane->homotopies, 0);
 }
@@ -242,7 +243,7 @@ TEST(MomentClosure, AHomotopyFindsARootWhereNewtonFails) {
 TEST(MomentClosure, ReportsTheOrderAtWhichItIsLost) {
   auto options = moment_options(8);
   options.max_iterations = 1;
-  const auto [solution, summary] = solve(paper_case(4), options);
+  const auto [solution, summary] = solve_closure(paper_case(4), options);
   EXPECT_EQ(solution.status, Status::not_converged);
   EXPECT_NE(solution.reason.find("order 4"), std::string::npos) << solution.reason;
   EXPECT_FALSE(solution.density.has_value());

@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using half_plane::Basis;
 using half_plane::ClosureEquations;
+using half_plane::OrthonormalBasis;
 using half_plane::QuadraturePoints;
 using tests::make_problem;
 
@@ -25,14 +25,15 @@ double rho_max_of(const problem::Problem& p) { return 8 * std::sqrt(tests::tempe
 // The equations up to eight deviations, in a basis that is orthonormal under the density for white
 // noise with elastic impacts.
 ClosureEquations make_polar_equations(const problem::Problem& p, int order, int points_each_way,
-                                      const half_plane::Confinement& confinement = {}) {
-  const Coordinates coordinates(p);
+                                      const half_plane::ExponentConfinement& confinement = {}) {
+  const AmplitudePhaseCoordinates coordinates(p);
   const double rho_max = rho_max_of(p);
   const QuadraturePoints points = amplitude::quadrature_points(
       coordinates, rho_max,
-      Coordinates::amplitude_break_points(p.impulses.amplitude_law(), rho_max),
+      AmplitudePhaseCoordinates::amplitude_break_points(p.impulses.amplitude_law(), rho_max),
       {points_each_way, points_each_way, kWallPoints});
-  const Basis basis(order, points, tests::boltzmann_mass(points, tests::temperature_of(p)));
+  const OrthonormalBasis basis(order, points,
+                               tests::boltzmann_mass(points, tests::temperature_of(p)));
   return amplitude::closure_equations(p, coordinates, rho_max, confinement, basis, points,
                                       kWallPoints);
 }
@@ -54,7 +55,7 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
                                  .mean = 0.2,
                                  .law = "two_point"});
     const ClosureEquations equations = make_polar_equations(p, 4, 40);
-    const Coordinates coordinates(p);
+    const AmplitudePhaseCoordinates coordinates(p);
     const auto& basis = equations.basis();
     const auto& points = equations.points();
     const auto density = equations.evaluate_density(perturbed_coefficients(p, equations));
@@ -75,7 +76,7 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
     const MatrixXd flow = (2 * dt).cwiseInverse().asDiagonal() *
                           (at(points.y + dy, points.v + dv) - at(points.y - dy, points.v - dv));
     VectorXd expected = flow.transpose() * density.mass;
-    for (const auto& [amplitude, probability] : p.impulses.amplitude_law().atoms()) {
+    for (const auto& [amplitude, probability] : p.impulses.amplitude_law().amplitude_atoms()) {
       const VectorXd kicked = points.v.array() + amplitude;
       expected += 2 * probability * (at(points.y, kicked) - at(points.y, points.v)).transpose() *
                   density.mass;
@@ -83,9 +84,10 @@ TEST(PolarEquations, AreTheRatesOfChangeOfTheMeans) {
     const auto wall = numerics::gauss_legendre_rule(kWallPoints, 0, rho_max_of(p));
     const VectorXd zero = VectorXd::Zero(wall.size());
     const VectorXd down = VectorXd::Constant(wall.size(), -M_PI / 2);
-    const MatrixXd change =
-        at(zero, 0.6 * wall.point_vector()) - basis.basis_values(wall.point_vector(), down);
-    expected += change.transpose() * wall.point_vector().cwiseProduct(density.wall_mass);
+    const MatrixXd change = at(zero, 0.6 * wall.quadrature_points_as_vector()) -
+                            basis.basis_values(wall.quadrature_points_as_vector(), down);
+    expected +=
+        change.transpose() * wall.quadrature_points_as_vector().cwiseProduct(density.wall_mass);
 
     const VectorXd residual = equations.residual(density);
     for (Eigen::Index s = 0; s < residual.size(); ++s) {
@@ -99,7 +101,7 @@ TEST(PolarEquations, JacobianIsTheDerivativeOfTheResidual) {
   const auto p = make_problem({.restitution = 0.8, .mean = 0.1, .law = "laplace"});
   for (const double level : {std::numeric_limits<double>::infinity(), 8.0}) {
     const ClosureEquations equations =
-        make_polar_equations(p, 4, 24, half_plane::Confinement{level});
+        make_polar_equations(p, 4, 24, half_plane::ExponentConfinement{level});
     tests::expect_jacobian_is_derivative(equations, perturbed_coefficients(p, equations));
   }
 }
@@ -107,17 +109,17 @@ TEST(PolarEquations, JacobianIsTheDerivativeOfTheResidual) {
 // Amplitudes from which an impulse of the two-point law stops the mass at the wall.
 TEST(PolarEquations, BreakWhereAnAtomMayStopTheMass) {
   const auto law = problem::ImpulseLaw::from_name("two_point", 0.2, 0.5);
-  EXPECT_EQ(Coordinates::amplitude_break_points(law, 10).size(), 2u);
-  EXPECT_NEAR(Coordinates::amplitude_break_points(law, 10)[0], 0.3, 1e-15);
-  EXPECT_NEAR(Coordinates::amplitude_break_points(law, 10)[1], 0.7, 1e-15);
-  EXPECT_EQ(Coordinates::amplitude_break_points(law, 0.5).size(), 1u);
-  EXPECT_EQ(
-      Coordinates::amplitude_break_points(problem::ImpulseLaw::from_name("two_point", 0, 0.5), 10)
-          .size(),
-      1u);
-  EXPECT_TRUE(
-      Coordinates::amplitude_break_points(problem::ImpulseLaw::from_name("gaussian", 0.2, 0.5), 10)
-          .empty());
+  EXPECT_EQ(AmplitudePhaseCoordinates::amplitude_break_points(law, 10).size(), 2u);
+  EXPECT_NEAR(AmplitudePhaseCoordinates::amplitude_break_points(law, 10)[0], 0.3, 1e-15);
+  EXPECT_NEAR(AmplitudePhaseCoordinates::amplitude_break_points(law, 10)[1], 0.7, 1e-15);
+  EXPECT_EQ(AmplitudePhaseCoordinates::amplitude_break_points(law, 0.5).size(), 1u);
+  EXPECT_EQ(AmplitudePhaseCoordinates::amplitude_break_points(
+                problem::ImpulseLaw::from_name("two_point", 0, 0.5), 10)
+                .size(),
+            1u);
+  EXPECT_TRUE(AmplitudePhaseCoordinates::amplitude_break_points(
+                  problem::ImpulseLaw::from_name("gaussian", 0.2, 0.5), 10)
+                  .empty());
 }
 
 }  // namespace

@@ -18,7 +18,9 @@ using tests::make_problem;
 using tests::paper_case;
 using transform::Status;
 
-Options polar_options(int order) { return tests::closure_options(Formulation::polar, order); }
+ClosureOptions polar_options(int order) {
+  return tests::closure_options(Formulation::polar, order);
+}
 
 class PolarCase : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Each, PolarCase, testing::Values(1, 2, 3, 4));
@@ -26,7 +28,7 @@ INSTANTIATE_TEST_SUITE_P(Each, PolarCase, testing::Values(1, 2, 3, 4));
 TEST_P(PolarCase, EveryOrderConverges) {
   const auto p = paper_case(GetParam());
   for (int order = 2; order <= 10; order += 2) {
-    const auto [solution, summary] = solve(p, polar_options(order));
+    const auto [solution, summary] = solve_closure(p, polar_options(order));
     EXPECT_EQ(solution.status, Status::ok) << order << ": " << solution.reason;
     EXPECT_LT(summary.residual, 1e-10) << order;
     EXPECT_NEAR(solution.mass, 1, 1e-5) << order;
@@ -43,7 +45,7 @@ TEST_P(PolarCase, EveryOrderConverges) {
 
 // Reference: docs/reference.md, case 1 by finite volumes on three grids, with an error of 2e-8.
 TEST(PolarClosure, HasTheReferenceMomentsOfCaseOne) {
-  const auto moments = solve(paper_case(1), polar_options(10)).solution.moments;
+  const auto moments = solve_closure(paper_case(1), polar_options(10)).solution.moments;
   EXPECT_NEAR(moments.y1 / 0.5004370246, 1, 1e-7);
   EXPECT_NEAR(moments.y2 / 0.3945181775, 1, 1e-7);
   EXPECT_NEAR(moments.y4 / 0.4699403458, 1, 1e-6);
@@ -52,8 +54,8 @@ TEST(PolarClosure, HasTheReferenceMomentsOfCaseOne) {
 }
 
 TEST(PolarClosure, CasesTwoAndThreeAreOneProblem) {
-  const auto two = solve(paper_case(2), polar_options(6)).solution;
-  const auto three = solve(paper_case(3), polar_options(6)).solution;
+  const auto two = solve_closure(paper_case(2), polar_options(6)).solution;
+  const auto three = solve_closure(paper_case(3), polar_options(6)).solution;
   EXPECT_NEAR(three.moments.y2 * 10 / two.moments.y2, 1, 1e-6);
   EXPECT_NEAR(three.moments.v4 * 100 / two.moments.v4, 1, 1e-6);
 }
@@ -63,7 +65,7 @@ TEST(PolarClosure, CasesTwoAndThreeAreOneProblem) {
 TEST(PolarClosure, TendsToTheExactDensityOfWhiteNoise) {
   const auto p = make_problem({.cubic = 0.7, .restitution = 1, .rate = 300, .intensity = 0.4});
   const double beta = 2 * 0.1 / 0.4;
-  const auto [solution, summary] = solve(p, polar_options(4));
+  const auto [solution, summary] = solve_closure(p, polar_options(4));
   EXPECT_EQ(solution.status, Status::ok) << solution.reason;
   for (const auto& [power, angle, a] : summary.coefficients) {
     const double unit = std::pow(beta, -power / 2.0);
@@ -77,7 +79,8 @@ TEST(PolarClosure, HasTheExactVelocityWithoutLosses) {
   for (const char* law : {"gaussian", "laplace", "two_point", "uniform"}) {
     for (const double cubic : {0.0, 3.0}) {
       const auto p = make_problem({.cubic = cubic, .restitution = 1, .law = law});
-      EXPECT_NEAR(solve(p, polar_options(4)).solution.moments.v2, 0.5, 1e-6) << law << cubic;
+      EXPECT_NEAR(solve_closure(p, polar_options(4)).solution.moments.v2, 0.5, 1e-6)
+          << law << cubic;
     }
   }
 }
@@ -90,7 +93,7 @@ TEST(PolarClosure, ConvergesToTheExactMomentsOfTheLinearProcess) {
     const double y2 = exact::linear_cumulant(p, 2, 0), v2 = exact::linear_cumulant(p, 0, 2);
     const double y4 = exact::linear_cumulant(p, 4, 0) + 3 * y2 * y2;
     const double v4 = exact::linear_cumulant(p, 0, 4) + 3 * v2 * v2;
-    const auto moments = solve(p, polar_options(8)).solution.moments;
+    const auto moments = solve_closure(p, polar_options(8)).solution.moments;
     EXPECT_NEAR(moments.y2 / y2, 1, 2e-5) << law;
     EXPECT_NEAR(moments.y4 / y4, 1, 1e-4) << law;
     EXPECT_NEAR(moments.v4 / v4, 1, 1e-4) << law;
@@ -117,7 +120,7 @@ TEST(PolarClosure, RandomProblemsConverge) {
                                  .intensity = intensity,
                                  .mean = mean,
                                  .law = laws[k / 2 % 4]});
-    const auto [solution, summary] = solve(p, polar_options(6));
+    const auto [solution, summary] = solve_closure(p, polar_options(6));
     EXPECT_EQ(solution.status, Status::ok)
         << "problem " << k << ", r = " << restitution << ", lambda = " << rate << ", mu = " << cubic
         << ", mean = " << mean << ": " << solution.reason;
@@ -131,14 +134,14 @@ TEST(PolarClosure, RandomProblemsConverge) {
 TEST(PolarClosure, TriesTheLevelOfTheOrderBeforeLast) {
   auto options = polar_options(4);
   options.max_seconds = 600;  // sanitizers need more than the default
-  const auto [solution, summary] = solve(tests::random_problem(33), options);
+  const auto [solution, summary] = solve_closure(tests::random_problem(33), options);
   EXPECT_EQ(solution.status, Status::ok) << solution.reason;
 }
 
 // Under strong losses the density has a spike at v = 0+ on the wall, narrower than equal panels.
 TEST(PolarClosure, HasItsWholeMassOnPanels) {
   for (const int number : {2, 9, 38}) {
-    const auto solution = solve(tests::random_problem(number), polar_options(6)).solution;
+    const auto solution = solve_closure(tests::random_problem(number), polar_options(6)).solution;
     EXPECT_NEAR(solution.mass, 1, 1e-5) << number;
   }
 }
@@ -147,7 +150,7 @@ TEST(PolarClosure, HasItsWholeMassOnPanels) {
 TEST(PolarClosure, ReportsTheOrderAtWhichItIsLost) {
   auto options = polar_options(8);
   options.max_iterations = 1;
-  const auto [solution, summary] = solve(tests::random_problem(42), options);
+  const auto [solution, summary] = solve_closure(tests::random_problem(42), options);
   EXPECT_EQ(solution.status, Status::not_converged);
   EXPECT_NE(solution.reason.find("failed at order"), std::string::npos) << solution.reason;
   EXPECT_FALSE(solution.density.has_value());

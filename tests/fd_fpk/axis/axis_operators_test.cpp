@@ -8,7 +8,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-Eigen::VectorXd monomial_averages(const Axis& axis, int power) {
+Eigen::VectorXd monomial_averages(const GridAxis& axis, int power) {
   Eigen::VectorXd averages(axis.cell_count());
   for (int i = 0; i < axis.cell_count(); ++i) {
     averages(i) = (std::pow(axis.face_position(i + 1), power + 1) -
@@ -19,9 +19,9 @@ Eigen::VectorXd monomial_averages(const Axis& axis, int power) {
 }
 
 // Cells of unequal width, with ratios of neighbouring widths up to 4/3.
-const Axis kLine({-0.3, -0.2, -0.08, 0.05, 0.15, 0.27, 0.4, 0.56, 0.7, 0.8, 0.93, 1.08, 1.2, 1.3,
-                  1.42},
-                 AxisEndCondition::boundary);
+const GridAxis kLine({-0.3, -0.2, -0.08, 0.05, 0.15, 0.27, 0.4, 0.56, 0.7, 0.8, 0.93, 1.08, 1.2,
+                      1.3, 1.42},
+                     AxisEndCondition::boundary);
 
 // Rows whose stencil extends beyond the right end use p = 0 there and are not exact.
 int last_exact_face(int points) { return kLine.cell_count() - points; }
@@ -30,7 +30,7 @@ TEST(AxisOperators, FaceValuesAndSlopesAreExactOnPolynomialsUpToTheLeftBoundary)
   for (int points = 2; points <= 8; ++points) {
     for (int power = 0; power < points; ++power) {
       const auto averages = monomial_averages(kLine, power);
-      for (const UpstreamSide bias : {UpstreamSide::left, UpstreamSide::right}) {
+      for (const UpstreamSideOfFace bias : {UpstreamSideOfFace::left, UpstreamSideOfFace::right}) {
         const Eigen::VectorXd values = face_value_operator(kLine, points, bias) * averages;
         for (int f = 1; f <= last_exact_face(points); ++f) {
           EXPECT_NEAR(values(f), std::pow(kLine.face_position(f), power), 1e-11)
@@ -56,7 +56,7 @@ TEST(AxisOperators, AKinkIsReconstructedWithSecondOrderFluxes) {
   constexpr double kDecay = 2, kDrift = 0.7;
   const auto force = [&](double x) { return kDrift + (x < 0 ? -kDecay : kDecay); };
   const auto flux_error = [&](int cells, bool has_flux) {
-    const Axis axis = Axis::with_uniform_cells(-2, 4.0 / cells, cells);
+    const GridAxis axis = GridAxis::with_uniform_cells(-2, 4.0 / cells, cells);
     Eigen::VectorXd averages(cells);
     for (int i = 0; i < cells; ++i) {
       const double f = force(axis.cell_centre(i)), width = axis.cell_width(i);
@@ -66,7 +66,8 @@ TEST(AxisOperators, AKinkIsReconstructedWithSecondOrderFluxes) {
       averages(i) = has_flux ? (1 - exponentials) / f : exponentials;
     }
     const DensityKink kink{.decay = kDecay, .drift = kDrift};
-    const Eigen::VectorXd value = face_value_operator(axis, 8, UpstreamSide::left, kink) * averages;
+    const Eigen::VectorXd value =
+        face_value_operator(axis, 8, UpstreamSideOfFace::left, kink) * averages;
     const Eigen::VectorXd slope = face_derivative_operator(axis, 8, kink) * averages;
     double worst = 0;
     for (int f = 8; f <= cells - 8; ++f) {
@@ -84,8 +85,8 @@ TEST(AxisOperators, AKinkIsReconstructedWithSecondOrderFluxes) {
 }
 
 TEST(AxisOperators, OddStencilsTakeTheExtraCellFromTheirBias) {
-  const AxisOperator left = face_value_operator(kLine, 3, UpstreamSide::left);
-  const AxisOperator right = face_value_operator(kLine, 3, UpstreamSide::right);
+  const AxisOperator left = face_value_operator(kLine, 3, UpstreamSideOfFace::left);
+  const AxisOperator right = face_value_operator(kLine, 3, UpstreamSideOfFace::right);
   EXPECT_NE(left.coeff(6, 4), 0.0);
   EXPECT_EQ(left.coeff(6, 7), 0.0);
   EXPECT_EQ(right.coeff(6, 4), 0.0);
@@ -93,7 +94,7 @@ TEST(AxisOperators, OddStencilsTakeTheExtraCellFromTheirBias) {
 }
 
 TEST(AxisOperators, NothingFlowsThroughTheEndFaces) {
-  const AxisOperator values = face_value_operator(kLine, 5, UpstreamSide::left);
+  const AxisOperator values = face_value_operator(kLine, 5, UpstreamSideOfFace::left);
   EXPECT_EQ(values.row(0).norm(), 0.0);
   EXPECT_EQ(values.row(kLine.cell_count()).norm(), 0.0);
 }
@@ -134,7 +135,8 @@ TEST(AxisOperators, WeightedAveragesOfAFunctionAreThoseOfAPolynomial) {
 TEST(AxisOperators, WeightedAveragesGainOneOrderOverTheirStencil) {
   // avg(x^3 cos x) from averages of cos x with three cells: order 4.
   const auto error = [](int cells) {
-    const Axis axis = Axis::with_uniform_cells(0.2, 1.0 / cells, cells, AxisEndCondition::boundary);
+    const GridAxis axis =
+        GridAxis::with_uniform_cells(0.2, 1.0 / cells, cells, AxisEndCondition::boundary);
     Eigen::VectorXd averages(cells);
     for (int i = 0; i < cells; ++i) {
       averages(i) = (std::sin(axis.face_position(i + 1)) - std::sin(axis.face_position(i))) /
@@ -171,8 +173,8 @@ TEST(AxisOperators, DivergenceTelescopes) {
 }
 
 TEST(AxisOperators, StencilsStayWithinABoundaryOnTheRight) {
-  const Axis axis({0, 0.4, 0.9, 1.3, 1.8, 2.2, 2.5, 3.0, 3.2}, AxisEndCondition::vacuum,
-                  AxisEndCondition::boundary);
+  const GridAxis axis({0, 0.4, 0.9, 1.3, 1.8, 2.2, 2.5, 3.0, 3.2}, AxisEndCondition::vacuum,
+                      AxisEndCondition::boundary);
   const int cells = axis.cell_count(), degree = 4;
   const Eigen::VectorXd p = monomial_averages(axis, degree);
   EXPECT_NEAR((end_value_operator(axis, AxisEnd::right, degree + 1) * p)(0), std::pow(3.2, degree),
@@ -180,7 +182,7 @@ TEST(AxisOperators, StencilsStayWithinABoundaryOnTheRight) {
   const Eigen::VectorXd times_x =
       weighted_average_operator(axis, degree + 1, numerics::Polynomial({0, 1})) * p;
   const Eigen::VectorXd exact = monomial_averages(axis, degree + 1);
-  for (const UpstreamSide bias : {UpstreamSide::left, UpstreamSide::right}) {
+  for (const UpstreamSideOfFace bias : {UpstreamSideOfFace::left, UpstreamSideOfFace::right}) {
     const Eigen::VectorXd values = face_value_operator(axis, degree + 1, bias) * p;
     for (int f = 4; f < cells; ++f) {  // stencils of the other cells extend into the vacuum
       EXPECT_NEAR(values(f), std::pow(axis.face_position(f), degree), 1e-10) << f;

@@ -11,7 +11,7 @@ namespace {
 TEST(FacesByWidth, HoldAllAnchorsAndFillTheIntervalsBetweenThem) {
   const std::vector<double> anchors{-1, 0.25, 3};
   const auto width = [](double x) { return 0.01 + 0.2 * std::abs(x - 0.25); };
-  const auto faces = faces_from_width_function(anchors, width);
+  const auto faces = cell_faces_from_width_function(anchors, width);
   for (const double anchor : anchors) {
     EXPECT_TRUE(std::ranges::find(faces, anchor) != faces.end()) << anchor;
   }
@@ -24,7 +24,7 @@ TEST(FacesByWidth, HoldAllAnchorsAndFillTheIntervalsBetweenThem) {
 
 TEST(FacesByWidth, AreOneCellWhereItIsWideEnough) {
   const std::vector<double> anchors{0, 1};
-  EXPECT_EQ(faces_from_width_function(anchors, [](double) { return 7.0; }), anchors);
+  EXPECT_EQ(cell_faces_from_width_function(anchors, [](double) { return 7.0; }), anchors);
 }
 
 }  // namespace

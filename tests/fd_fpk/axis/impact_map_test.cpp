@@ -9,7 +9,7 @@ namespace {
 
 using problem::ImpactCondition;
 
-Axis speeds(int cells, double h = 1) { return Axis::with_uniform_cells(0, h, cells); }
+GridAxis speeds(int cells, double h = 1) { return GridAxis::with_uniform_cells(0, h, cells); }
 
 // Outgoing flux f(u) = u exp(-u^2/2) and its primitive.
 double cumulative(double u) { return 1 - std::exp(-u * u / 2); }
@@ -67,7 +67,7 @@ TEST(ImpactMap, MeanReturnedEnergyFallsByTheSquareOfTheRestitution) {
   EXPECT_NEAR(energy, r * r * 2.0, 2e-3);  // E[u^2] = 2 under f
 }
 
-Eigen::VectorXd half_normal_flux(const Axis& axis) {
+Eigen::VectorXd half_normal_flux(const GridAxis& axis) {
   Eigen::VectorXd averages(axis.cell_count());
   for (int a = 0; a < axis.cell_count(); ++a) {
     averages(a) = (cumulative(axis.face_position(a + 1)) - cumulative(axis.face_position(a))) /
@@ -78,7 +78,7 @@ Eigen::VectorXd half_normal_flux(const Axis& axis) {
 
 TEST(ImpactMap, DeltaIsTheFirstOrderTermAndItsErrorIsOfSecondOrder) {
   // || map f - delta f ||_1 is of order (1-r)^2: a factor of 4 for half the loss.
-  const Axis axis = speeds(200, 0.04);
+  const GridAxis axis = speeds(200, 0.04);
   const Eigen::VectorXd flux = half_normal_flux(axis);
   const auto difference = [&](double loss) {
     const Eigen::VectorXd d = (impact_map(axis, {0, 1 - loss}, ImpactCondition::map, 7) -
@@ -95,7 +95,7 @@ TEST(ImpactMap, DeltaIsTheFirstOrderTermAndItsErrorIsOfSecondOrder) {
 
 TEST(ImpactMap, DeltaIsFluxPlusLossTimesItsScaling) {
   // f + (1-r) d(w f)/dw for f = w exp(-w^2/2): averages of f and differences of w f.
-  const Axis axis = speeds(160, 0.05);
+  const GridAxis axis = speeds(160, 0.05);
   const double loss = 0.1;
   const Eigen::VectorXd in =
       impact_map(axis, {0, 1 - loss}, ImpactCondition::delta, 7) * half_normal_flux(axis);
@@ -110,7 +110,7 @@ TEST(ImpactMap, DeltaIsFluxPlusLossTimesItsScaling) {
 }
 
 TEST(ImpactMap, KeepsProbabilityOnUnequalCellsInBothForms) {
-  const Axis axis({0, 0.1, 0.22, 0.36, 0.5, 0.7, 0.95, 1.2, 1.5, 1.9, 2.3, 2.8});
+  const GridAxis axis({0, 0.1, 0.22, 0.36, 0.5, 0.7, 0.95, 1.2, 1.5, 1.9, 2.3, 2.8});
   for (const ImpactCondition impact : {ImpactCondition::map, ImpactCondition::delta}) {
     const Eigen::MatrixXd map = impact_map(axis, {0, 0.8}, impact, 5);
     const Eigen::RowVectorXd kept = axis.cell_widths().transpose() * map;

@@ -16,7 +16,7 @@ double normal_distribution(double x, double mean, double deviation) {
   return 0.5 * std::erfc((mean - x) / (deviation * std::sqrt(2.0)));
 }
 
-Eigen::VectorXd normal_averages(const Axis& axis, double mean, double deviation) {
+Eigen::VectorXd normal_averages(const GridAxis& axis, double mean, double deviation) {
   Eigen::VectorXd averages(axis.cell_count());
   for (int i = 0; i < axis.cell_count(); ++i) {
     averages(i) = (normal_distribution(axis.face_position(i + 1), mean, deviation) -
@@ -27,7 +27,7 @@ Eigen::VectorXd normal_averages(const Axis& axis, double mean, double deviation)
 }
 
 TEST(JumpMatrix, ShiftsADensityByAnyAmplitude) {
-  const Axis axis = Axis::with_uniform_cells(-6, 0.12, 100);
+  const GridAxis axis = GridAxis::with_uniform_cells(-6, 0.12, 100);
   for (const double amplitude : {0.12, -0.7, 1.234}) {
     const Eigen::VectorXd change =
         fixed_jump_matrix(axis, amplitude) * normal_averages(axis, 0, 0.6);
@@ -41,12 +41,12 @@ TEST(JumpMatrix, AddsAGaussianImpulseToAGaussianVelocity) {
   // N(0.1, 0.6^2) + N(0.2, E[Y^2] - 0.2^2), on cells of equal and of unequal width.
   const auto law = tests::make_problem({.intensity = 0.5, .mean = 0.2}).impulses.amplitude_law();
   const double deviation = std::hypot(0.6, std::sqrt(0.5 - 0.04));
-  const auto error = [&](int cells, const Grading& grading) {
-    const auto positive = graded_faces(8, cells / 2, grading);
+  const auto error = [&](int cells, const CellGrading& grading) {
+    const auto positive = graded_cell_faces(8, cells / 2, grading);
     std::vector<double> faces;
     for (auto f = positive.rbegin(); f != positive.rend(); ++f) faces.push_back(-*f);
     faces.insert(faces.end(), positive.begin() + 1, positive.end());
-    const Axis axis(faces);
+    const GridAxis axis(faces);
     const Eigen::VectorXd change = jump_matrix(axis, law) * normal_averages(axis, 0.1, 0.6);
     const Eigen::VectorXd exact =
         normal_averages(axis, 0.3, deviation) - normal_averages(axis, 0.1, 0.6);
@@ -70,9 +70,11 @@ TEST(JumpMatrix, HasTheMomentsOfEveryImpulseLaw) {
       const auto law = problem::ImpulseLaw::from_name(name, 0.3 * deviation, deviation);
       // The axis is as short as possible, because the rounding error of a cell enters the moments
       // with the sixth power of the distance of the cell.
-      const double reach = law.density_breakpoints().empty() ? 2 : law.density_breakpoints().back();
+      const double reach = law.amplitude_density_breakpoints().empty()
+                               ? 2
+                               : law.amplitude_density_breakpoints().back();
       const int half = static_cast<int>(reach / 0.12) + 6;
-      const Axis axis = Axis::with_uniform_cells(-(half + 0.5) * 0.12, 0.12, 2 * half + 1);
+      const GridAxis axis = GridAxis::with_uniform_cells(-(half + 0.5) * 0.12, 0.12, 2 * half + 1);
       const Eigen::VectorXd rates = jump_matrix(axis, law).col(half);
       for (int j = 0; j <= 6; ++j) {
         double moment = 0;
@@ -109,7 +111,7 @@ double change_of_normal_distribution(const problem::ImpulseLaw& law, double x, d
 // cell width.
 TEST(JumpMatrix, ImpulsesShorterThanCellsActByTheirMoments) {
   constexpr double kWidth = 0.12, kDeviation = 0.6;
-  const Axis axis = Axis::with_uniform_cells(-4.8, kWidth, 80);
+  const GridAxis axis = GridAxis::with_uniform_cells(-4.8, kWidth, 80);
   const Eigen::VectorXd averages = normal_averages(axis, 0, kDeviation);
   for (const auto& name : tests::law_names_without_table()) {
     for (const double cells : {0.25, 0.1, 1e-2, 1e-4, 1e-7}) {
@@ -132,20 +134,20 @@ TEST(JumpMatrix, ImpulsesShorterThanCellsActByTheirMoments) {
 
 TEST(JumpMatrix, JumpsBeyondTheAxisDoNotTakePlace) {
   const auto law = tests::make_problem({.intensity = 4}).impulses.amplitude_law();
-  const Axis axis = Axis::with_uniform_cells(-1, 0.1, 20);
+  const GridAxis axis = GridAxis::with_uniform_cells(-1, 0.1, 20);
   const Eigen::MatrixXd jump = jump_matrix(axis, law);
   EXPECT_LT((axis.cell_widths().transpose() * jump).cwiseAbs().maxCoeff(), 1e-13);
   // From the middle cell jumps with |Y| < 1 take place: a fraction erf(1/(2 sqrt 2)).
   EXPECT_NEAR(-jump.diagonal()(10), std::erf(1 / (2 * std::sqrt(2.0))), 0.03);
 }
 
-Axis uneven() {
+GridAxis uneven() {
   std::vector<double> faces;
   for (int i = -40; i <= 40; ++i) faces.push_back(i * 0.2 * (1 + 0.01 * std::abs(i)));
-  return Axis(std::move(faces));
+  return GridAxis(std::move(faces));
 }
 
-Eigen::VectorXd centres(const Axis& axis) {
+Eigen::VectorXd centres(const GridAxis& axis) {
   Eigen::VectorXd c(axis.cell_count());
   for (int i = 0; i < axis.cell_count(); ++i) c(i) = axis.cell_centre(i);
   return c;
@@ -166,7 +168,7 @@ TEST(CellJumpMatrices, KeepMassAndArePositive) {
 // variance of a uniform distribution. The finite width of the target cells causes an error of
 // second order.
 TEST(CellJumpMatrices, ShiftTheMeanByTheLawAndTheSlope) {
-  const Axis axis = uneven();
+  const GridAxis axis = uneven();
   const Eigen::VectorXd v = centres(axis);
   for (const auto* name : {"gaussian", "laplace", "uniform"}) {
     const auto jumps = cell_jump_matrices(axis, problem::ImpulseLaw::from_name(name, 0.3, 0.8));
@@ -179,7 +181,7 @@ TEST(CellJumpMatrices, ShiftTheMeanByTheLawAndTheSlope) {
 }
 
 TEST(CellJumpMatrices, AtomsShiftAWholeCell) {
-  const Axis axis = Axis::with_uniform_cells(-2, 0.1, 40);
+  const GridAxis axis = GridAxis::with_uniform_cells(-2, 0.1, 40);
   const auto jumps =
       cell_jump_matrices(axis, problem::ImpulseLaw::from_name("two_point", 0.02, 0.5));
   // -0.48 is 4.8 cells, 0.52 is 5.2.
@@ -193,7 +195,7 @@ TEST(CellJumpMatrices, AtomsShiftAWholeCell) {
 }
 
 TEST(CellJumpMatrices, JumpsBeyondTheAxisEndInItsLastCells) {
-  const Axis axis = Axis::with_uniform_cells(-1, 0.1, 20);
+  const GridAxis axis = GridAxis::with_uniform_cells(-1, 0.1, 20);
   for (const auto* name : {"gaussian", "two_point"}) {
     const auto jumps = cell_jump_matrices(axis, problem::ImpulseLaw::from_name(name, 0, 5));
     EXPECT_NEAR(jumps.uniform(0, 10) + jumps.uniform(19, 10), 1, 0.2) << name;

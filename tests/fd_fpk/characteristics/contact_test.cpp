@@ -19,10 +19,10 @@ using problem::Problem;
 using problem::System;
 using transform::Status;
 
-Result solve_contact(const Problem& p, const Options& options = {}) {
+FiniteVolumeResult solve_contact(const Problem& p, const FiniteVolumeOptions& options = {}) {
   const Problem seen = tests::in_wall_coordinates(p);
   EXPECT_EQ(unsupported_reason(seen, options), "");
-  Result result = solve(seen, options);
+  FiniteVolumeResult result = solve_stationary_density(seen, options);
   result.solution = transform::to_physical_coordinates(seen.frame, std::move(result.solution));
   return result;
 }
@@ -35,7 +35,7 @@ Problem ball(double rate, double intensity, double restitution, const char* law 
           {.arrival_rate = rate, .law = law, .intensity = intensity, .mean = mean}));
 }
 
-void expect_identities(const Result& result, double bar = 1e-4) {
+void expect_identities(const FiniteVolumeResult& result, double bar = 1e-4) {
   EXPECT_LT(std::abs(result.solution.energy_residual), bar);
   EXPECT_LT(std::abs(*result.summary.balances.virial), bar);
   EXPECT_LT(std::abs(*result.summary.balances.momentum), bar);
@@ -98,9 +98,10 @@ TEST(Contact, ProbabilityOfRestConverges) {
   std::vector<double> at_rest;
   for (const double refinement : {0.5, 1.0, 2.0}) {
     const auto p = tests::in_wall_coordinates(problem::load_case("preload"));
-    at_rest.push_back(solve(p, {.refinement = refinement, .error_estimate = false})
-                          .solution.atoms.at(0)
-                          .probability);
+    at_rest.push_back(
+        solve_stationary_density(p, {.refinement = refinement, .error_estimate = false})
+            .solution.atoms.at(0)
+            .probability);
   }
   const double before = std::abs(at_rest[1] - at_rest[0]), last = std::abs(at_rest[2] - at_rest[1]);
   EXPECT_LT(last, 2e-3 * at_rest[2]);
@@ -114,7 +115,7 @@ TEST(Contact, WallOnTheRightIsTheWallOnTheLeftMirrored) {
       problem::ImpulseTrain({.arrival_rate = 0.8, .law = "laplace", .intensity = 0.4, .mean = 0.1});
   const auto mirrored = problem::ImpulseTrain(
       {.arrival_rate = 0.8, .law = "laplace", .intensity = 0.4, .mean = -0.1});
-  const Options once{.error_estimate = false};
+  const FiniteVolumeOptions once{.error_estimate = false};
   // Two mirror-image oscillators with g = y. The wall of the first is at 0.4, and the mass moves
   // right of the wall: the force on mass at rest is 0.4 towards the wall.
   const auto left = solve_contact(
@@ -157,23 +158,23 @@ TEST(Contact, WithoutContactAgreesWithDifferences) {
 // both walls (docs/characteristics.md).
 TEST(Contact, TransportConservesMassAndLosesTheEnergyOfBothWalls) {
   const auto p = tests::in_wall_coordinates(problem::load_case("stops"));
-  const Grid grid =
+  const PhasePlaneGrid grid =
       characteristic_grid(p, problem::motion_scales(p), {}, {.x1_max = 1, .x2_max = 3});
   const Characteristics characteristics(p.system, grid, p.impulses.arrival_rate(), 8);
   ASSERT_EQ(characteristics.contact_rest_point_indices().size(), 2u);
-  const SlopeReconstruction slopes(grid, characteristics.rest_points());
+  const DensitySlopeReconstruction slopes(grid, characteristics.rest_points());
   Eigen::VectorXd q = Eigen::VectorXd::Zero(grid.size() + 2);
   for (int i = 0; i < grid.nx(); ++i) {
-    for (int j = 0; j < grid.nv(); ++j) {
+    for (int j = 0; j < grid.v_cell_count(); ++j) {
       const double y = grid.x1.cell_centre(i), v = grid.x2.cell_centre(j);
-      q(i * grid.nv() + j) =
+      q(i * grid.v_cell_count() + j) =
           std::exp(-2 * v * v) * (1 + y) * grid.x1.cell_width(i) * grid.x2.cell_width(j);
     }
   }
   q *= 0.7 / q.sum();
   q(grid.size()) = 0.2;
   q(grid.size() + 1) = 0.1;
-  WallImpacts impacts;
+  ImpactSumsOfBothWalls impacts;
   const TransportOperator passage(characteristics, p.impulses.amplitude_law());
   const Eigen::VectorXd after = passage(q, slopes(q), &impacts).ended;
   EXPECT_NEAR(after.sum(), 1, 1e-12);
@@ -181,10 +182,10 @@ TEST(Contact, TransportConservesMassAndLosesTheEnergyOfBothWalls) {
   const auto energy = [&](const Eigen::VectorXd& masses, bool squares_alone) {
     double sum = 0;
     for (int i = 0; i < grid.nx(); ++i) {
-      for (int j = 0; j < grid.nv(); ++j) {
+      for (int j = 0; j < grid.v_cell_count(); ++j) {
         const double v = grid.x2.cell_centre(j);
         const double of_v = v * v + grid.x2.cell_width(j) * grid.x2.cell_width(j) / 12;
-        sum += masses(i * grid.nv() + j) *
+        sum += masses(i * grid.v_cell_count() + j) *
                (squares_alone ? of_v : of_v / 2 + p.system.potential()(grid.x1.cell_centre(i)));
       }
     }

@@ -19,12 +19,12 @@ namespace {
 using transform::StateVariable;
 using transform::Status;
 
-Options along(double refinement = 1) {
+FiniteVolumeOptions along(double refinement = 1) {
   return {.transport = TransportScheme::characteristics, .refinement = refinement};
 }
 
-Options on_one_grid() {
-  Options options = along();
+FiniteVolumeOptions on_one_grid() {
+  FiniteVolumeOptions options = along();
   options.error_estimate = false;
   return options;
 }
@@ -32,7 +32,7 @@ Options on_one_grid() {
 double distance(const transform::Marginal& a, const std::vector<double>& exact) {
   double sum = 0;
   for (std::size_t b = 0; b < a.size(); ++b) {
-    sum += std::abs(a.density[b] - exact[b]) * a.width(b);
+    sum += std::abs(a.density[b] - exact[b]) * a.bin_width(b);
   }
   return sum;
 }
@@ -44,7 +44,7 @@ TEST(AlongCharacteristics, MeetsTheExactDensityWithinItsStatedError) {
   const auto y = tests::uniform_edges(0, 4, 80), v = tests::uniform_edges(-3, 3, 120);
   std::vector<double> errors;
   for (const double refinement : {0.5, 1.0, 2.0}) {
-    const auto solution = solve(p, along(refinement)).solution;
+    const auto solution = solve_stationary_density(p, along(refinement)).solution;
     ASSERT_EQ(solution.status, Status::ok) << solution.reason;
     const double of_y = distance(transform::marginal(*solution.density, StateVariable::y, y),
                                  exact.displacement_averages(y));
@@ -70,7 +70,7 @@ TEST(AlongCharacteristics, HasTheExactCumulantsOfTheLinearOscillatorHoweverRareT
       if (!is_usual && !tests::is_thorough()) continue;
       const auto p = tests::make_problem(
           {.damping = 0.2, .cubic = 0, .restitution = 1, .rate = rate, .law = law});
-      const auto solution = solve(p, on_one_grid()).solution;
+      const auto solution = solve_stationary_density(p, on_one_grid()).solution;
       const double y2 = exact::linear_cumulant(p, 2, 0), v2 = exact::linear_cumulant(p, 0, 2);
       const double y4 = exact::linear_cumulant(p, 4, 0) + 3 * y2 * y2;
       const double v4 = exact::linear_cumulant(p, 0, 4) + 3 * v2 * v2;
@@ -93,7 +93,8 @@ TEST(AlongCharacteristics, HasTheExactCumulantsOfTheLinearOscillatorHoweverRareT
 TEST(AlongCharacteristics, DistributeMassNearRestByTheDecayOfTheMotion) {
   const double c = 1e-3, r = 0.9, rate = 1e-4;
   const auto p = tests::make_problem({.damping = c, .cubic = 0, .restitution = r, .rate = rate});
-  const auto [solution, summary] = solve(p, {.stepper = StationarySolver::direct});
+  const auto [solution, summary] =
+      solve_stationary_density(p, {.stepper = StationarySolver::direct});
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
   ASSERT_EQ(summary.transport, TransportScheme::characteristics);
   const double half_cycle = std::numbers::pi / std::sqrt(1 - c * c / 4);
@@ -104,10 +105,10 @@ TEST(AlongCharacteristics, DistributeMassNearRestByTheDecayOfTheMotion) {
   const auto y =
       transform::marginal(*solution.density, StateVariable::y,
                           std::vector<double>{0, bin / 64, bin / 16, bin / 4, bin, 2 * bin});
-  double below = y.density[0] * y.width(0);
+  double below = y.density[0] * y.bin_width(0);
   EXPECT_LT(below, 1);
   for (std::size_t b = 1; b < 4; ++b) {
-    const double mass = y.density[b] * y.width(b);
+    const double mass = y.density[b] * y.bin_width(b);
     below += mass;
     EXPECT_NEAR(mass / (below * (1 - std::pow(4, -exponent))), 1, 0.01) << b;
   }
@@ -136,9 +137,9 @@ TEST(AlongCharacteristics, AgreesWithTheDifferencesWhereBothResolveTheDensity) {
   for (const double restitution : {0.6, 0.98}) {
     for (const double cubic : {0.0, 2.0}) {
       const auto p = tests::make_problem({.cubic = cubic, .restitution = restitution});
-      const auto upwind =
-          solve(p, {.stepper = StationarySolver::direct, .transport = TransportScheme::upwind});
-      const auto other = solve(p, along());
+      const auto upwind = solve_stationary_density(
+          p, {.stepper = StationarySolver::direct, .transport = TransportScheme::upwind});
+      const auto other = solve_stationary_density(p, along());
       ASSERT_EQ(upwind.solution.status, Status::ok) << upwind.solution.reason;
       ASSERT_EQ(other.solution.status, Status::ok) << other.solution.reason;
       const double apart =
@@ -153,14 +154,16 @@ TEST(AlongCharacteristics, AgreesWithTheDifferencesWhereBothResolveTheDensity) {
 
 // Scales the problem by factors that change only the units.
 TEST(AlongCharacteristics, DoNotDependOnTheUnits) {
-  const auto reference = solve(tests::make_problem({.cubic = 0, .rate = 0.05}), on_one_grid());
+  const auto reference =
+      solve_stationary_density(tests::make_problem({.cubic = 0, .rate = 0.05}), on_one_grid());
   const double t = 1e-5, l = 1e3;
-  const auto scaled = solve(tests::make_problem({.damping = 0.1 / t,
-                                                 .stiffness = 1 / (t * t),
-                                                 .cubic = 0,
-                                                 .rate = 0.05 / t,
-                                                 .intensity = 0.1 * l * l / (t * t * t)}),
-                            on_one_grid());
+  const auto scaled =
+      solve_stationary_density(tests::make_problem({.damping = 0.1 / t,
+                                                    .stiffness = 1 / (t * t),
+                                                    .cubic = 0,
+                                                    .rate = 0.05 / t,
+                                                    .intensity = 0.1 * l * l / (t * t * t)}),
+                               on_one_grid());
   EXPECT_NEAR(scaled.solution.moments.y2 / (l * l), reference.solution.moments.y2, 1e-8);
   EXPECT_NEAR(scaled.solution.moments.v4 * std::pow(t / l, 4), reference.solution.moments.v4, 1e-8);
 }
@@ -169,14 +172,16 @@ TEST(AlongCharacteristics, DoNotDependOnTheUnits) {
 // masses of both signs cancel.
 TEST(AlongCharacteristics, BoxHoldsTheTailOfImpulsesWithAMean) {
   for (const double mean : {0.0, 0.2, 0.3}) {
-    const auto solution = solve(tests::make_problem({.mean = mean}), on_one_grid()).solution;
+    const auto solution =
+        solve_stationary_density(tests::make_problem({.mean = mean}), on_one_grid()).solution;
     EXPECT_EQ(solution.status, Status::ok) << mean << ": " << solution.reason;
   }
 }
 
 TEST(Solve, ChoosesTheTransportByTheProblem) {
   const auto transport = [](const tests::Parameters& parameters) {
-    return solve(tests::make_problem(parameters), {.stepper = StationarySolver::direct})
+    return solve_stationary_density(tests::make_problem(parameters),
+                                    {.stepper = StationarySolver::direct})
         .summary.transport;
   };
   EXPECT_EQ(transport({}), TransportScheme::upwind);
@@ -185,7 +190,7 @@ TEST(Solve, ChoosesTheTransportByTheProblem) {
 }
 
 TEST(Options, CharacteristicsRequireKfAndImpactMap) {
-  const auto refused = [](const Options& options) {
+  const auto refused = [](const FiniteVolumeOptions& options) {
     EXPECT_THROW(validate(options), std::exception);
   };
   refused({.equation = DensityEquation::km4, .transport = TransportScheme::characteristics});

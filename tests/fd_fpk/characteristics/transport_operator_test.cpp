@@ -16,9 +16,9 @@ namespace {
 
 struct TransportSetup {
   problem::Problem problem;
-  Grid grid;
+  PhasePlaneGrid grid;
   Characteristics characteristics;
-  SlopeReconstruction slopes;
+  DensitySlopeReconstruction slopes;
 
   explicit TransportSetup(const problem::Problem& p, double refinement = 0.5)
       : problem(p),
@@ -32,19 +32,19 @@ struct TransportSetup {
     return gaussian_cell_averages({0.4, 0.5}, grid).cwiseProduct(grid.cell_areas());
   }
   TransportOperator::TransportedMasses transported(const Eigen::VectorXd& q,
-                                                   WallImpacts* impacts = nullptr) const {
+                                                   ImpactSumsOfBothWalls* impacts = nullptr) const {
     return TransportOperator(characteristics, problem.impulses.amplitude_law())(q, slopes(q),
                                                                                 impacts);
   }
-  Eigen::VectorXd passed(const Eigen::VectorXd& q, WallImpacts* impacts = nullptr) const {
+  Eigen::VectorXd passed(const Eigen::VectorXd& q, ImpactSumsOfBothWalls* impacts = nullptr) const {
     return transported(q, impacts).ended;
   }
   // Mean over cells with uniform density.
   double mean(const Eigen::VectorXd& m, const auto& of) const {
     double sum = 0;
     for (int i = 0; i < grid.nx(); ++i) {
-      for (int j = 0; j < grid.nv(); ++j) {
-        sum += m(i * grid.nv() + j) * of(grid.x1.cell_centre(i), grid.x2.cell_centre(j));
+      for (int j = 0; j < grid.v_cell_count(); ++j) {
+        sum += m(i * grid.v_cell_count() + j) * of(grid.x1.cell_centre(i), grid.x2.cell_centre(j));
       }
     }
     return sum;
@@ -71,10 +71,11 @@ TEST(TransportOperator, ConservesMassAndSign) {
 TEST(TransportOperator, ContinuesTheMassAtTheEndsAlongALimitCycle) {
   const problem::System system({.damping = -1, .van_der_pol = 1, .stiffness = 1}, {.none = true});
   const problem::Problem p = tests::with_impulses(system, tests::gaussian_impulses(1, 0.5));
-  const Box box{.x1_max = 5, .x2_max = 6, .x1_min = -5};
-  const Grid grid = characteristic_grid(p, problem::motion_scales(p), {.refinement = 0.5}, box);
+  const PhasePlaneBox box{.x1_max = 5, .x2_max = 6, .x1_min = -5};
+  const PhasePlaneGrid grid =
+      characteristic_grid(p, problem::motion_scales(p), {.refinement = 0.5}, box);
   const Characteristics characteristics(system, grid, 1, 8);
-  const SlopeReconstruction slopes(grid, characteristics.rest_points());
+  const DensitySlopeReconstruction slopes(grid, characteristics.rest_points());
   const TransportOperator transport(characteristics, p.impulses.amplitude_law());
   const Eigen::VectorXd q = grid.cell_areas() / grid.cell_areas().sum();
   const auto [ended, continuing] = transport(q, slopes(q));
@@ -90,7 +91,7 @@ TEST(Characteristics, CoverEveryCellWithFractionsThatSumToOne) {
     const TransportSetup s(p);
     Eigen::VectorXd shares = Eigen::VectorXd::Zero(s.grid.size());
     Eigen::VectorXd y = shares, v = shares;
-    for (const CellVisit& visit : s.characteristics.cell_visits()) {
+    for (const CharacteristicCellVisit& visit : s.characteristics.cell_visits()) {
       shares(visit.cell) += visit.share;
       y(visit.cell) += visit.share * visit.y;
       v(visit.cell) += visit.share * visit.v;
@@ -118,7 +119,7 @@ TEST(TransportOperator, LosesTheEnergyThatDampingAndImpactsTake) {
       const TransportSetup s(p, refinement);
       const auto energy = [&](double y, double v) { return v * v / 2 + p.system.potential()(y); };
       const auto square = [](double, double v) { return v * v; };
-      WallImpacts impacts;
+      ImpactSumsOfBothWalls impacts;
       const Eigen::VectorXd q = s.masses(), after = s.passed(q, &impacts);
       const double gained = rate * (s.mean(after, energy) - s.mean(q, energy));
       const double lost =

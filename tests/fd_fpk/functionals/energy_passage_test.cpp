@@ -17,7 +17,7 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 using problem::System;
-using transform::Passage;
+using transform::FirstPassageResult;
 using transform::Status;
 
 // Returns the mean time from a state to the passage of an energy level.
@@ -130,7 +130,7 @@ TEST(EnergyPassage, HasConsistentValuesInCase1) {
   std::vector<double> times;
   constexpr int kIntervals = 100;
   for (int k = 0; k <= kIntervals; ++k) times.push_back(k);
-  const Passage passage = solve_energy_passage(tests::paper_case(1), {}, 1, times);
+  const FirstPassageResult passage = solve_energy_passage(tests::paper_case(1), {}, 1, times);
   ASSERT_EQ(passage.status, Status::ok) << passage.reason;
   EXPECT_NEAR(passage.hazard->value, 0.0226652, 1e-5);
   EXPECT_NEAR(passage.mean_from_point->value, 49.684, 0.02);
@@ -142,7 +142,7 @@ TEST(EnergyPassage, HasConsistentValuesInCase1) {
     integral += (survival[k].value + survival[k + 1].value) / 2;
   }
   EXPECT_NEAR(passage.mean_from_stationary->value, integral, 2e-3 * integral);
-  const auto& map = passage.mean_times.value();
+  const auto& map = passage.mean_passage_times_by_start.value();
   EXPECT_EQ(map.averages.back(), 0);  // above the level
   EXPECT_NEAR(*std::ranges::max_element(map.averages), 49.7, 0.1);
 }

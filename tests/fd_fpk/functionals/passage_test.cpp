@@ -16,7 +16,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-using transform::Passage;
+using transform::FirstPassageResult;
 using transform::Status;
 using transform::ValueWithError;
 
@@ -28,7 +28,7 @@ void expect_value(const std::optional<ValueWithError>& found, double exact, cons
 
 // Values of an independent collocation along characteristics, with about seven digits
 TEST(Passage, HasTheValuesOfAnIndependentMethodInCase1) {
-  const Passage passage = solve_passage(tests::paper_case(1), {}, 1.5, {10, 100});
+  const FirstPassageResult passage = solve_passage(tests::paper_case(1), {}, 1.5, {10, 100});
   ASSERT_EQ(passage.status, Status::ok) << passage.reason;
   expect_value(passage.hazard, 0.00945683, "hazard");
   expect_value(passage.mean_from_point, 114.2740, "mean from rest");
@@ -48,7 +48,7 @@ TEST(Passage, HasASmallerHazardThanTheRateOfUpcrossings) {
   constexpr double kStep = 0.25;
   constexpr int kIntervals = 240;
   for (int k = 0; k <= kIntervals; ++k) times.push_back(kStep * k);
-  const Passage passage = solve_passage(p, {.accuracy = 0.1}, 1, times);
+  const FirstPassageResult passage = solve_passage(p, {.accuracy = 0.1}, 1, times);
   ASSERT_EQ(passage.status, Status::ok) << passage.reason;
   const double hazard = passage.hazard->value;
   EXPECT_LT(hazard, passage.rice_rate->value / passage.probability_below->value);
@@ -65,13 +65,16 @@ TEST(Passage, HasASmallerHazardThanTheRateOfUpcrossings) {
 // the wall.
 TEST(Passage, StartsAtAGivenState) {
   const auto p = tests::make_problem({.damping = 0.3, .intensity = 0.3});
-  const Options white{.equation = DensityEquation::white, .accuracy = 0.1};
-  const Passage rest = solve_passage(p, white, 1, {10});
-  const Passage at_wall = solve_passage(p, white, 1, {10}, transform::StartState{0, 0});
+  const FiniteVolumeOptions white{.equation = DensityEquation::white, .accuracy = 0.1};
+  const FirstPassageResult rest = solve_passage(p, white, 1, {10});
+  const FirstPassageResult at_wall =
+      solve_passage(p, white, 1, {10}, transform::PassageStartState{0, 0});
   ASSERT_EQ(rest.status, Status::ok) << rest.reason;
   EXPECT_DOUBLE_EQ(at_wall.mean_from_point->value, rest.mean_from_point->value);
-  const Passage up = solve_passage(p, white, 1, {10}, transform::StartState{0.5, 2});
-  const Passage down = solve_passage(p, white, 1, {10}, transform::StartState{0.5, -2});
+  const FirstPassageResult up =
+      solve_passage(p, white, 1, {10}, transform::PassageStartState{0.5, 2});
+  const FirstPassageResult down =
+      solve_passage(p, white, 1, {10}, transform::PassageStartState{0.5, -2});
   EXPECT_NEAR(up.mean_from_point->value, 0.279, 0.01);
   EXPECT_NEAR(down.mean_from_point->value, 1.98, 0.2);
 }
@@ -82,11 +85,11 @@ TEST(MeanTimeMap, HasTheMeanTimeOfAStartInItsCell) {
       "[system]\ndamping = 0.3\nstiffness = 1\n[wall]\nleft = -0.3\nleft_restitution = 1\n"
       "[noise]\nintensity = 0.3\n");
   const problem::Problem p = problem::read_case(ini, "test", "test.ini");
-  const Options white{.equation = DensityEquation::white, .accuracy = 0.1};
-  const transform::StartState start{-0.1, -1};
-  const Passage passage = solve_passage(p, white, 1, {10}, start);
+  const FiniteVolumeOptions white{.equation = DensityEquation::white, .accuracy = 0.1};
+  const transform::PassageStartState start{-0.1, -1};
+  const FirstPassageResult passage = solve_passage(p, white, 1, {10}, start);
   ASSERT_EQ(passage.status, Status::ok) << passage.reason;
-  const auto& map = passage.mean_times.value();
+  const auto& map = passage.mean_passage_times_by_start.value();
   EXPECT_NEAR(map.y_edges.front(), -0.3, 1e-12);
   EXPECT_NEAR(map.y_edges.back(), 1, 1e-12);
   const auto cell = [](const std::vector<double>& edges, double x) {
@@ -105,12 +108,14 @@ TEST(Passage, RefusesABarrierOutsideTheWalls) {
 // The mass below the barrier decreases by the flux of outgoing motion alone.
 TEST(Barrier, AbsorbsTheOutgoingMotionAlone) {
   const problem::Problem p = tests::paper_case(1);
-  const Discretisation on =
-      discretise(p, {.nx = 24, .nv = 40}, {.x1_max = 1.5, .x2_max = 4, .x1_min = 0});
-  const Grid below{on.grid.x1.with_right_end_condition(AxisEndCondition::barrier), on.grid.x2};
-  Options options;
+  const PlaneDiscretisation on = discretise_density_equation(
+      p, {.nx = 24, .nv = 40}, {.x1_max = 1.5, .x2_max = 4, .x1_min = 0});
+  const PhasePlaneGrid below{on.grid.x1.with_right_end_condition(AxisEndCondition::barrier),
+                             on.grid.x2};
+  FiniteVolumeOptions options;
   const auto op = fokker_planck_operator(
-      p, options, with_excitation_of(p, options, {.grid = below, .excitation = {}}));
+      p, options,
+      discretise_excitation_on_same_grid(p, options, {.grid = below, .excitation = {}}));
   const Eigen::VectorXd density = gaussian_cell_averages(
       {.displacement_deviation = 1, .velocity_deviation = 0.7, .mean_velocity = 0.2}, below);
   const double outflow = wall_speed_moment(below, density, 5, 1, AxisEnd::right);
@@ -120,7 +125,8 @@ TEST(Barrier, AbsorbsTheOutgoingMotionAlone) {
 
 TEST(TransposedOperator, IsTheAdjoint) {
   const problem::Problem p = tests::make_problem({.restitution = 0.8, .mean = 0.1});
-  const Discretisation on = discretise(p, {.nx = 20, .nv = 32}, {.x1_max = 4, .x2_max = 4});
+  const PlaneDiscretisation on =
+      discretise_density_equation(p, {.nx = 20, .nv = 32}, {.x1_max = 4, .x2_max = 4});
   const auto op = fokker_planck_operator(p, {}, on);
   const Eigen::VectorXd x = Eigen::VectorXd::Random(on.grid.size()),
                         y = Eigen::VectorXd::Random(on.grid.size());

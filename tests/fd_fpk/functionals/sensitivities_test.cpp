@@ -21,20 +21,21 @@ namespace {
 using problem::System;
 using tests::uniform_edges;
 using transform::ExpectationDerivatives;
-using transform::Sensitivities;
+using transform::MomentSensitivities;
 using transform::Status;
 
 const std::vector<double> kYEdges = uniform_edges(0, 4.4, 110),
                           kVelocityEdges = uniform_edges(-4.6, 4.6, 116);
 
-Sensitivities sensitivities(const problem::Problem& p, const std::vector<std::string>& keys,
-                            const Options& options = {}) {
-  std::vector<problem::ParameterDerivative> parameters;
-  for (const auto& key : keys) parameters.push_back(problem::parameter_derivative(p, key, 1e-4));
+MomentSensitivities sensitivities(const problem::Problem& p, const std::vector<std::string>& keys,
+                                  const FiniteVolumeOptions& options = {}) {
+  std::vector<problem::ParameterDifferenceQuotient> parameters;
+  for (const auto& key : keys)
+    parameters.push_back(problem::parameter_difference_quotient(p, key, 1e-4));
   return solve_sensitivities(p, options, parameters, kYEdges, kVelocityEdges);
 }
 
-const ExpectationDerivatives& of(const Sensitivities& s, const std::string& expectation) {
+const ExpectationDerivatives& of(const MomentSensitivities& s, const std::string& expectation) {
   return *std::ranges::find(s.expectations, expectation, &ExpectationDerivatives::expectation);
 }
 
@@ -43,7 +44,7 @@ TEST(Sensitivities, AreExactForTheSecondMomentsOfTheLinearOscillator) {
   const double c = 0.3, k = 1.44, intensity = 0.1;
   const auto p = tests::with_impulses(System({.damping = c, .stiffness = k}, {.none = true}),
                                       tests::gaussian_impulses(1, intensity));
-  const Sensitivities s =
+  const MomentSensitivities s =
       sensitivities(p, {"system.damping", "system.stiffness", "impulse.intensity", "impulse.rate"});
   ASSERT_EQ(s.status, Status::ok) << s.reason;
   const double y2 = intensity / (2 * c * k), v2 = intensity / (2 * c);
@@ -62,8 +63,9 @@ TEST(Sensitivities, AreExactForTheSecondMomentsOfTheLinearOscillator) {
 // then satisfy two identities for E[y^q] and for E[y'^q].
 TEST(Sensitivities, SatisfyTheIdentitiesOfTheScalesOfLengthAndTime) {
   const auto p = tests::make_problem({.damping = 0.2, .restitution = 0.9});
-  const Sensitivities s = sensitivities(p, {"system.damping", "system.stiffness", "system.cubic",
-                                            "impulse.rate", "impulse.intensity"});
+  const MomentSensitivities s = sensitivities(
+      p,
+      {"system.damping", "system.stiffness", "system.cubic", "impulse.rate", "impulse.intensity"});
   ASSERT_EQ(s.status, Status::ok) << s.reason;
   const struct {
     const char* expectation;
@@ -88,20 +90,21 @@ TEST(Sensitivities, SatisfyTheIdentitiesOfTheScalesOfLengthAndTime) {
 }
 
 TEST(Sensitivities, ToTheRestitutionAreThoseOfDifferencesOnTheSameGrid) {
-  const Options grid{.stepper = StationarySolver::direct,
-                     .nx = 40,
-                     .nv = 88,
-                     .x1_max = 4,
-                     .x2_max = 4.5,
-                     .error_estimate = false};
+  const FiniteVolumeOptions grid{.stepper = StationarySolver::direct,
+                                 .nx = 40,
+                                 .nv = 88,
+                                 .x1_max = 4,
+                                 .x2_max = 4.5,
+                                 .error_estimate = false};
   const auto moment = [&](double restitution) {
-    return solve(tests::make_problem({.restitution = restitution}), grid).solution.moments.y2;
+    return solve_stationary_density(tests::make_problem({.restitution = restitution}), grid)
+        .solution.moments.y2;
   };
   constexpr double kStep = 0.01;
   const auto difference = [&](double h) { return (moment(0.9 + h) - moment(0.9 - h)) / (2 * h); };
   // Richardson extrapolation of the differences
   const double expected = (4 * difference(kStep) - difference(2 * kStep)) / 3;
-  const Sensitivities s =
+  const MomentSensitivities s =
       sensitivities(tests::make_problem({.restitution = 0.9}), {"system.restitution"});
   ASSERT_EQ(s.status, Status::ok) << s.reason;
   EXPECT_NEAR(of(s, "E[y^2]").derivatives[0], expected, 1e-3 * expected);
@@ -114,18 +117,18 @@ struct CoarseSolution {
         direct(compute_direct_solution(problem, {.scales = problem::motion_scales(problem)},
                                        options, base::Deadline::unlimited())) {}
 
-  Options options{.order = 5, .nx = 30, .nv = 64, .x1_max = 4, .x2_max = 4.5};
+  FiniteVolumeOptions options{.order = 5, .nx = 30, .nv = 64, .x1_max = 4, .x2_max = 4.5};
   problem::Problem problem;
-  DirectSolution direct;
-  ApproximateSolve solve = [this](Eigen::Ref<Eigen::VectorXd> x) {
+  DirectStationarySolution direct;
+  ApproximateLinearSolver solve = [this](Eigen::Ref<Eigen::VectorXd> x) {
     direct.preconditioner->solve_in_place(x);
   };
-  ApproximateSolve solve_transposed = [this](Eigen::Ref<Eigen::VectorXd> x) {
+  ApproximateLinearSolver solve_transposed = [this](Eigen::Ref<Eigen::VectorXd> x) {
     direct.preconditioner->solve_transposed_in_place(x);
   };
   Eigen::VectorXd derivative_of_generator_product(const std::string& key) const {
-    return generator_derivative_product(problem, options,
-                                        problem::parameter_derivative(problem, key, 1e-4), direct);
+    return generator_derivative_product(
+        problem, options, problem::parameter_difference_quotient(problem, key, 1e-4), direct);
   }
 };
 
@@ -134,12 +137,13 @@ TEST(DensityDerivative, AgreesWithTheAdjointEquation) {
   constexpr double kTolerance = 1e-12;
   const CoarseSolution coarse(tests::make_problem({.restitution = 0.9}));
   const FokkerPlanckOperator& op = coarse.direct.op;
-  const Grid& grid = coarse.direct.discretisation.grid;
+  const PhasePlaneGrid& grid = coarse.direct.discretisation.grid;
   Eigen::VectorXd f(op.areas.size());
   for (int i = 0; i < grid.nx(); ++i) {
-    for (int j = 0; j < grid.nv(); ++j) {
+    for (int j = 0; j < grid.v_cell_count(); ++j) {
       const double y = grid.x1.cell_centre(i), v = grid.x2.cell_centre(j);
-      f(i * grid.nv() + j) = (y * y + 0.5 * v * v + 0.1 * y * v) * op.areas(i * grid.nv() + j);
+      f(i * grid.v_cell_count() + j) =
+          (y * y + 0.5 * v * v + 0.1 * y * v) * op.areas(i * grid.v_cell_count() + j);
     }
   }
   const auto adjoint =
@@ -167,7 +171,7 @@ TEST(DensityDerivative, IsTheLimitOfDifferencesOfDensitiesOnTheSameGrid) {
     const auto changed = tests::make_problem({.restitution = restitution, .rate = rate});
     const auto op = fokker_planck_operator(
         changed, middle.options,
-        with_excitation_of(changed, middle.options, middle.direct.discretisation));
+        discretise_excitation_on_same_grid(changed, middle.options, middle.direct.discretisation));
     return *find_null_vector(op, *middle.direct.preconditioner, *middle.direct.averages,
                              base::Deadline::unlimited())
                 .averages;
@@ -215,11 +219,12 @@ intensity = 0.1
       {tests::make_problem({.damping = 0.2, .restitution = 0.9}), kYEdges},
       {mirrored, uniform_edges(-4.1, 0.3, 110)}};
   for (const auto& [problem, y_edges] : problems) {
-    std::vector<problem::ParameterDerivative> parameters;
+    std::vector<problem::ParameterDifferenceQuotient> parameters;
     for (const char* key : {"system.damping", "impulse.intensity"}) {
-      parameters.push_back(problem::parameter_derivative(problem, key, 1e-4));
+      parameters.push_back(problem::parameter_difference_quotient(problem, key, 1e-4));
     }
-    const Sensitivities s = solve_sensitivities(problem, {}, parameters, y_edges, kVelocityEdges);
+    const MomentSensitivities s =
+        solve_sensitivities(problem, {}, parameters, y_edges, kVelocityEdges);
     ASSERT_EQ(s.status, Status::ok) << s.reason;
     ASSERT_EQ(s.marginals.size(), 2u);
     for (std::size_t m = 0; m < 2; ++m) {
@@ -228,7 +233,8 @@ intensity = 0.1
       for (std::size_t k = 0; k < parameters.size(); ++k) {
         double mass = 0, second = 0, first = 0;
         for (std::size_t b = 0; b < marginal.derivatives[k].size(); ++b) {
-          const double width = marginal.edges[b + 1] - marginal.edges[b], at = marginal.centre(b);
+          const double width = marginal.edges[b + 1] - marginal.edges[b],
+                       at = marginal.bin_centre(b);
           mass += width * marginal.derivatives[k][b];
           first += width * at * marginal.derivatives[k][b];
           second += width * (at * at + width * width / 12) * marginal.derivatives[k][b];
@@ -253,8 +259,8 @@ intensity = 0.1
 // The error estimates on coarse grids are compared with the difference from finer grids.
 TEST(MarginalDerivatives, HaveCredibleErrorEstimates) {
   const auto p = tests::make_problem({.damping = 0.2, .restitution = 0.9});
-  const Sensitivities coarse = sensitivities(p, {"system.restitution"}, {.accuracy = 1}),
-                      fine = sensitivities(p, {"system.restitution"}, {.accuracy = 1e-3});
+  const MomentSensitivities coarse = sensitivities(p, {"system.restitution"}, {.accuracy = 1}),
+                            fine = sensitivities(p, {"system.restitution"}, {.accuracy = 1e-3});
   ASSERT_NE(coarse.details.substr(0, 8), fine.details.substr(0, 8));
   for (std::size_t m = 0; m < 2; ++m) {
     const auto &of_coarse = coarse.marginals[m], &of_fine = fine.marginals[m];

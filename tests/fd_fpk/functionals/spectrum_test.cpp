@@ -12,11 +12,11 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 using problem::System;
-using transform::Spectrum;
+using transform::SpectralDensity;
 using transform::StateVariable;
 using transform::Status;
 
-void expect_within_errors(const Spectrum& spectrum, const std::vector<double>& exact,
+void expect_within_errors(const SpectralDensity& spectrum, const std::vector<double>& exact,
                           double relative) {
   ASSERT_EQ(spectrum.status, Status::ok) << spectrum.reason;
   ASSERT_EQ(spectrum.density.size(), exact.size());
@@ -28,7 +28,7 @@ void expect_within_errors(const Spectrum& spectrum, const std::vector<double>& e
 }
 
 // Accuracy that the first three grids reach
-const Options kCoarse{.accuracy = 0.1};
+const FiniteVolumeOptions kCoarse{.accuracy = 0.1};
 
 // The exact spectrum is (2D + lambda E[Y^2]) / (pi ((k - w^2)^2 + c^2 w^2)), one-sided.
 TEST(Spectrum, IsThatOfTheLinearOscillatorUnderImpulsesAndNoise) {
@@ -43,7 +43,7 @@ TEST(Spectrum, IsThatOfTheLinearOscillatorUnderImpulsesAndNoise) {
     of_v.push_back(w * w * of_y.back());
   }
   expect_within_errors(solve_spectrum(p, kCoarse, StateVariable::y, frequencies), of_y, 1e-4);
-  const Spectrum velocity =
+  const SpectralDensity velocity =
       solve_spectrum(p, kCoarse, StateVariable::ydot, {frequencies.begin() + 1, frequencies.end()});
   expect_within_errors(velocity, {of_v.begin() + 1, of_v.end()}, 1e-4);
   EXPECT_NEAR(velocity.variance, 0.15 / (2 * 0.3), 1e-5);
@@ -60,7 +60,7 @@ TEST(Spectrum, HasTheAutocovarianceOfTheLinearOscillator) {
   const std::vector<double> lags{0, 0.5, 2, 7, 15};
   const double w = std::sqrt(1.44 - 0.0225), of_y = 0.1 / (2 * 0.3 * 1.44), of_v = 0.1 / (2 * 0.3);
   for (const auto variable : {StateVariable::y, StateVariable::ydot}) {
-    const Spectrum s = solve_spectrum(p, kCoarse, variable, {0.5, 1}, lags);
+    const SpectralDensity s = solve_spectrum(p, kCoarse, variable, {0.5, 1}, lags);
     ASSERT_EQ(s.autocovariance.size(), lags.size()) << s.reason;
     for (std::size_t k = 0; k < lags.size(); ++k) {
       const double t = lags[k], cosine = std::cos(w * t), sine = 0.15 / w * std::sin(w * t);
@@ -73,8 +73,8 @@ TEST(Spectrum, HasTheAutocovarianceOfTheLinearOscillator) {
   }
 }
 
-// With an elastic wall at the equilibrium, y = |z| of the linear oscillator without a wall, with the
-// autocovariance (2 s^2/pi) (sqrt(1 - q^2) + q arcsin q - 1), q the autocorrelation of z.
+// With an elastic wall at the equilibrium, y = |z| of the linear oscillator without a wall, with
+// the autocovariance (2 s^2/pi) (sqrt(1 - q^2) + q arcsin q - 1), q the autocorrelation of z.
 TEST(Spectrum, IsThatOfTheFoldedLinearOscillatorAtAnElasticWall) {
   const double c = 0.4, k = 1, intensity = 0.4, variance = intensity / (2 * c * k);
   const auto p =
@@ -100,7 +100,7 @@ TEST(Spectrum, IsThatOfTheFoldedLinearOscillatorAtAnElasticWall) {
     exact.push_back(2 / std::numbers::pi * sum * kStep / 3);
   }
   const std::vector<double> lags{0.3, 1, 3.5, 8};
-  const Spectrum spectrum = solve_spectrum(p, {}, StateVariable::y, frequencies, lags);
+  const SpectralDensity spectrum = solve_spectrum(p, {}, StateVariable::y, frequencies, lags);
   expect_within_errors(spectrum, exact, 1e-3);
   for (std::size_t j = 0; j < lags.size(); ++j) {
     const double difference = std::abs(spectrum.autocovariance[j] - covariance(lags[j]));
@@ -113,8 +113,8 @@ TEST(Spectrum, IsThatOfTheFoldedLinearOscillatorAtAnElasticWall) {
 TEST(Spectrum, OfVelocityIsThatOfDisplacementTimesTheSquaredFrequency) {
   const auto p = tests::make_problem({.damping = 0.3, .restitution = 0.8});
   const std::vector<double> frequencies{0.5, 1, 2.1, 3};
-  const Spectrum y = solve_spectrum(p, {}, StateVariable::y, frequencies);
-  const Spectrum v = solve_spectrum(p, {}, StateVariable::ydot, frequencies);
+  const SpectralDensity y = solve_spectrum(p, {}, StateVariable::y, frequencies);
+  const SpectralDensity v = solve_spectrum(p, {}, StateVariable::ydot, frequencies);
   ASSERT_EQ(y.status, Status::ok) << y.reason;
   ASSERT_EQ(v.status, Status::ok) << v.reason;
   for (std::size_t k = 0; k < frequencies.size(); ++k) {
@@ -130,7 +130,7 @@ TEST(Spectrum, IsNotOfferedWhereTheMassRestsInContact) {
       tests::with_impulses(System({.damping = 0.1, .stiffness = 1},
                                   problem::WallParameters{.left = 0.5, .left_restitution = 0.5}),
                            tests::gaussian_impulses(1, 0.1));
-  const Spectrum spectrum = solve_spectrum(p, {}, StateVariable::y, {0, 1});
+  const SpectralDensity spectrum = solve_spectrum(p, {}, StateVariable::y, {0, 1});
   EXPECT_EQ(spectrum.status, Status::not_offered);
   EXPECT_FALSE(spectrum.reason.empty());
 }

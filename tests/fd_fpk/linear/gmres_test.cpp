@@ -66,8 +66,10 @@ struct Thrown {
 // SUNDIALS is C: the exception must not propagate through its frames, and must not be lost.
 TEST(Gmres, ExceptionsOfCallbacksPropagate) {
   const LinearMap throwing_map = [](const Eigen::VectorXd&) -> Eigen::VectorXd { throw Thrown{7}; };
-  const ApproximateSolve throwing_solve = [](Eigen::Ref<Eigen::VectorXd>) { throw Thrown{8}; };
-  const auto number_of = [&](const LinearMap& a, const ApproximateSolve& solve) {
+  const ApproximateLinearSolver throwing_solve = [](Eigen::Ref<Eigen::VectorXd>) {
+    throw Thrown{8};
+  };
+  const auto number_of = [&](const LinearMap& a, const ApproximateLinearSolver& solve) {
     try {
       solve_by_gmres(a, solve, kRight, kWeights, 1e-12);
     } catch (const Thrown& thrown) {

@@ -18,18 +18,18 @@ struct Discrete {
   FokkerPlanckOperator op;
   FastestGrowingWave symbol;
   double frequency;
-  Grid grid;
+  PhasePlaneGrid grid;
 };
 
 // Discretises with cells of this width in y', in a box small enough for dense matrices.
-Discrete discrete(const problem::Problem& problem, Options options, double step, int nx = 16,
-                  double half_height = 2.5) {
+Discrete discrete(const problem::Problem& problem, FiniteVolumeOptions options, double step,
+                  int nx = 16, double half_height = 2.5) {
   const auto linear = problem::equivalent_linearisation(problem);
   options.origin_refinement = 1;
   options.nx = nx;
   options.nv = 2 * std::max(8, static_cast<int>(half_height / step));
-  const Box box{4.5 * linear.displacement_deviation, *options.nv * step / 2};
-  const auto on = discretise(problem, options, box);
+  const PhasePlaneBox box{4.5 * linear.displacement_deviation, *options.nv * step / 2};
+  const auto on = discretise_density_equation(problem, options, box);
   return {fokker_planck_operator(problem, options, on),
           fastest_growing_wave(problem, options, step), std::sqrt(linear.stiffness), on.grid};
 }
@@ -38,7 +38,7 @@ TEST(RightmostEigenvalue, AgreesWithADenseSolverForEveryEquation) {
   const double s = std::sqrt(0.1);
   struct Case {
     const char* name;
-    Options options;
+    FiniteVolumeOptions options;
     double restitution;
     double step;
     double guess;  // guess of the growth rate, relative to that of the symbol
@@ -60,7 +60,7 @@ TEST(RightmostEigenvalue, AgreesWithADenseSolverForEveryEquation) {
     const auto p = tests::make_problem({.restitution = restitution});
     const Discrete d = discrete(p, options, step);
     const auto expected = tests::dense_eigenvalues(d.op.assembled_matrix());
-    const bool growing = is_unstable(d.symbol, p.impulses);
+    const bool growing = is_growing_wave(d.symbol, p.impulses);
     const int count = growing ? 1 : 2;
     const auto found =
         find_rightmost_eigenvalues(d.op, growing ? guess * d.symbol.rate : 0, d.frequency, count);

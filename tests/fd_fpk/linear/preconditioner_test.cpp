@@ -23,9 +23,10 @@ class Preconditioners : public testing::Test {
   }
 
   problem::Problem problem_ = tests::paper_case(1);
-  Options options_{.nx = 16, .nv = 32};
+  FiniteVolumeOptions options_{.nx = 16, .nv = 32};
   double loss_ = problem::motion_scales(problem_).slowest_decay_rate;
-  Discretisation on_ = discretise(problem_, options_, initial_box(problem_, options_));
+  PlaneDiscretisation on_ =
+      discretise_density_equation(problem_, options_, initial_box(problem_, options_));
 };
 
 // I - gamma M equals -gamma M except for a relative difference of 1/(gamma loss), the maximum over

@@ -22,17 +22,18 @@ using problem::ImpactCondition;
 
 // Cell averages of a function by 3 x 3 Gauss points per cell, the unknowns of the operator.
 template <class Function>
-Eigen::VectorXd three_point_averages(const Grid& grid, const Function& f) {
+Eigen::VectorXd three_point_averages(const PhasePlaneGrid& grid, const Function& f) {
   Eigen::VectorXd averages(grid.size());
   const auto& x1 = grid.x1.faces();
   const auto& x2 = grid.x2.faces();
   for (int i = 0; i < grid.nx(); ++i) {
-    for (int j = 0; j < grid.nv(); ++j) {
+    for (int j = 0; j < grid.v_cell_count(); ++j) {
       const auto of_x2 = [&](double x) {
         return numerics::gauss_legendre_average([&](double v) { return f(x, v); }, x2[j],
                                                 x2[j + 1]);
       };
-      averages(i * grid.nv() + j) = numerics::gauss_legendre_average(of_x2, x1[i], x1[i + 1]);
+      averages(i * grid.v_cell_count() + j) =
+          numerics::gauss_legendre_average(of_x2, x1[i], x1[i + 1]);
     }
   }
   return averages;
@@ -41,9 +42,9 @@ Eigen::VectorXd three_point_averages(const Grid& grid, const Function& f) {
 TEST(Operator, ColumnsSumToZeroForEveryExcitationOrderAndRestitution) {
   for (const double r : {1.0, 0.98, 0.4}) {
     const auto p = tests::make_problem({.restitution = r, .mean = 0.1});
-    const Grid grid = make_grid(20, 30, 3.0, 3.0, {0.5, 0.2}, {0.5, 0.3});
+    const PhasePlaneGrid grid = make_grid(20, 30, 3.0, 3.0, {0.5, 0.2}, {0.5, 0.3});
     for (const int order : {3, 4, 5, 6}) {
-      for (const Excitation& e :
+      for (const DiscreteExcitation& e :
            {white_noise_excitation(p.impulses), kramers_moyal_excitation(p.impulses, grid.x2, 0.4),
             kramers_moyal_pade_excitation(p.impulses, grid.x2, 6),
             jump_excitation(p.impulses, grid.x2)}) {
@@ -63,7 +64,7 @@ TEST(Operator, AnnihilatesTheExactWhiteNoiseDensityToItsOrder) {
   const auto p = tests::make_problem({.cubic = 0.5, .restitution = 1});
   const exact::WhiteNoiseDensity exact(p);
   const auto residual = [&](int cells, int order) {
-    const Grid grid = make_grid(cells, 2 * cells, 4.5, 5.0);
+    const PhasePlaneGrid grid = make_grid(cells, 2 * cells, 4.5, 5.0);
     const auto op = fokker_planck_operator(p.system, white_noise_excitation(p.impulses),
                                            ImpactCondition::map, grid, order);
     const auto averages =
@@ -90,14 +91,14 @@ TEST(Operator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
   for (const double r : {1.0, 0.8, 0.5}) {
     const auto p = tests::make_problem(
         {.cubic = 0.4, .restitution = r, .rate = 2, .intensity = 0.3, .mean = 0.12});
-    const Grid grid = make_grid(60, 2 * 50, 5.0, 9.0);
+    const PhasePlaneGrid grid = make_grid(60, 2 * 50, 5.0, 9.0);
     const auto density = [](double x, double v) {
       return std::exp(-(x - 0.4) * (x - 0.4) - 0.8 * (v + 0.3) * (v + 0.3) + 0.3 * x * v);
     };
     Eigen::VectorXd averages = three_point_averages(grid, density);
     averages /= grid.cell_areas().dot(averages);
     const int order = 5;
-    for (const Excitation& e :
+    for (const DiscreteExcitation& e :
          {white_noise_excitation(p.impulses), kramers_moyal_excitation(p.impulses, grid.x2, 0.4),
           kramers_moyal_pade_excitation(p.impulses, grid.x2, 6),
           jump_excitation(p.impulses, grid.x2)}) {
@@ -116,16 +117,16 @@ TEST(Operator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
 // The density on the wall jumps at x2 = 0 by 1/r^2: stencils must not mix velocities before and
 // after the impact.
 TEST(Operator, FluxIntoTheWallUsesVelocitiesTowardsItAlone) {
-  const Grid grid = make_grid(20, 30, 3.0, 3.0);
+  const PhasePlaneGrid grid = make_grid(20, 30, 3.0, 3.0);
   const AxisOperator flux(wall_flux_matrix(grid, 5));
   for (int speed = 0; speed < flux.rows(); ++speed) {
     for (AxisOperator::InnerIterator entry(flux, speed); entry; ++entry) {
-      EXPECT_LT(entry.col() % grid.nv(), grid.nv() / 2);
+      EXPECT_LT(entry.col() % grid.v_cell_count(), grid.v_cell_count() / 2);
     }
   }
   // Particles near x1 = 0.1 with velocity -1.1: a flux u p at speed u = 1.1, none elsewhere.
   Eigen::VectorXd beam = Eigen::VectorXd::Zero(grid.size());
-  for (int i = 0; i < grid.nx(); ++i) beam(i * grid.nv() + 9) = 1;  // -1.2 < x2 < -1.0
+  for (int i = 0; i < grid.nx(); ++i) beam(i * grid.v_cell_count() + 9) = 1;  // -1.2 < x2 < -1.0
   const Eigen::VectorXd out = flux * beam;
   EXPECT_NEAR(out.sum(), 1.1, 1e-2);
   EXPECT_NEAR(out(5), 1.1, 1e-2);
@@ -133,7 +134,7 @@ TEST(Operator, FluxIntoTheWallUsesVelocitiesTowardsItAlone) {
 
 // Average over a density that is not normalised.
 template <class Density, class Function>
-double mean(const Grid& grid, const Density& density, const Function& g) {
+double mean(const PhasePlaneGrid& grid, const Density& density, const Function& g) {
   return three_point_averages(grid, [&](double x, double v) { return g(x, v) * density(x, v); })
              .sum() /
          three_point_averages(grid, density).sum();
@@ -142,7 +143,7 @@ double mean(const Grid& grid, const Density& density, const Function& g) {
 TEST(Operator, MovesTheMeanVelocityByDampingForceImpulsesAndImpacts) {
   // d/dt E[v] = -c E[v] - E[g(x)] + lambda E[Y] + (1+r) int_{v<0} v^2 p(0,v) dv
   const auto p = tests::make_problem({.cubic = 0.4, .restitution = 0.7, .mean = 0.12});
-  const Grid grid = make_grid(60, 128, 5.0, 5.5);
+  const PhasePlaneGrid grid = make_grid(60, 128, 5.0, 5.5);
   const auto density = [](double x, double v) {
     return std::exp(-(x - 0.4) * (x - 0.4) - 0.8 * (v + 0.3) * (v + 0.3) + 0.3 * x * v);
   };
@@ -161,7 +162,7 @@ TEST(Operator, MovesTheMeanVelocityByDampingForceImpulsesAndImpacts) {
 TEST(Operator, MovesTheDisplacementByTheVelocity) {
   // d/dt E[x^2] = 2 E[x v], for a density that vanishes on the wall.
   const auto p = tests::make_problem();
-  const Grid grid = make_grid(60, 128, 5.0, 5.0);
+  const PhasePlaneGrid grid = make_grid(60, 128, 5.0, 5.0);
   const auto density = [](double x, double v) {
     return x * x * std::exp(-(x - 0.4) * (x - 0.4) - 0.8 * (v + 0.3) * (v + 0.3) + 0.3 * x * v);
   };
@@ -201,7 +202,8 @@ Problem with_every_term(const problem::WallParameters& walls) {
   return p;
 }
 
-Grid grid_of(const System& system, double left, double right, double v_max, int nx, int nv) {
+PhasePlaneGrid grid_of(const System& system, double left, double right, double v_max, int nx,
+                       int nv) {
   if (system.left_wall()) left = system.left_wall()->position;
   if (system.right_wall()) right = system.right_wall()->position;
   std::vector<double> x1, x2;
@@ -212,11 +214,11 @@ Grid grid_of(const System& system, double left, double right, double v_max, int 
       system.right_wall() ? AxisEndCondition::boundary : AxisEndCondition::vacuum);
 }
 
-std::vector<Excitation> excitations(const Problem& p, const Grid& grid) {
-  std::vector<Excitation> all{
+std::vector<DiscreteExcitation> excitations(const Problem& p, const PhasePlaneGrid& grid) {
+  std::vector<DiscreteExcitation> all{
       white_noise_excitation(p.impulses), kramers_moyal_excitation(p.impulses, grid.x2, 0.4),
       kramers_moyal_pade_excitation(p.impulses, grid.x2, 6), jump_excitation(p.impulses, grid.x2)};
-  for (Excitation& e : all) e.diffusion += p.noise.diffusion();
+  for (DiscreteExcitation& e : all) e.diffusion += p.noise.diffusion();
   return all;
 }
 
@@ -230,9 +232,9 @@ double bump(double x, double v) {
 TEST(OperatorOfGeneralOscillator, KeepsTheMassOnEveryDomain) {
   for (const auto& [name, walls] : kDomains) {
     const Problem p = with_every_term(walls);
-    const Grid grid = grid_of(p.system, -3, 3, 3, 20, 30);
+    const PhasePlaneGrid grid = grid_of(p.system, -3, 3, 3, 20, 30);
     for (const int order : {3, 4, 5, 7}) {
-      for (const Excitation& e : excitations(p, grid)) {
+      for (const DiscreteExcitation& e : excitations(p, grid)) {
         const auto op = fokker_planck_operator(p.system, e, ImpactCondition::map, grid, order);
         EXPECT_LT(op.max_mass_loss_rate(), 1e-10) << name << " " << order;
       }
@@ -245,10 +247,11 @@ TEST(OperatorOfGeneralOscillator, KeepsTheMassOnEveryDomain) {
 TEST(OperatorOfGeneralOscillator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
   for (const auto& [name, walls] : kDomains) {
     const Problem p = with_every_term(walls);
-    const Grid grid = grid_of(p.system, -4.6, 5.4, 8, p.system.right_wall() ? 24 : 80, 120);
+    const PhasePlaneGrid grid =
+        grid_of(p.system, -4.6, 5.4, 8, p.system.right_wall() ? 24 : 80, 120);
     Eigen::VectorXd averages = three_point_averages(grid, bump);
     averages /= grid.cell_areas().dot(averages);
-    for (const Excitation& e : excitations(p, grid)) {
+    for (const DiscreteExcitation& e : excitations(p, grid)) {
       const auto op = fokker_planck_operator(p.system, e, ImpactCondition::map, grid, 5);
       const double rate =
           mean_energy(problem::EffectivePotential(p.system), grid, op * averages, 5);
@@ -266,7 +269,8 @@ TEST(OperatorOfGeneralOscillator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
 TEST(OperatorOfGeneralOscillator, MovesTheMeanVelocityByForcesImpulsesAndImpacts) {
   for (const auto& [name, walls] : kDomains) {
     const Problem p = with_every_term(walls);
-    const Grid grid = grid_of(p.system, -4.6, 5.4, 8, p.system.right_wall() ? 24 : 80, 120);
+    const PhasePlaneGrid grid =
+        grid_of(p.system, -4.6, 5.4, 8, p.system.right_wall() ? 24 : 80, 120);
     Eigen::VectorXd averages = three_point_averages(grid, bump);
     averages /= grid.cell_areas().dot(averages);
     const auto mean = [&](const auto& g) {
@@ -290,16 +294,16 @@ TEST(OperatorOfGeneralOscillator, MovesTheMeanVelocityByForcesImpulsesAndImpacts
 
 TEST(OperatorOfGeneralOscillator, FluxIntoTheRightWallUsesPositiveVelocitiesAlone) {
   const System system({.stiffness = 1}, kDomains[2].walls);
-  const Grid grid = grid_of(system, 0, 2, 3, 20, 30);
+  const PhasePlaneGrid grid = grid_of(system, 0, 2, 3, 20, 30);
   const AxisOperator flux(wall_flux_matrix(grid, 5, AxisEnd::right));
   for (int speed = 0; speed < flux.rows(); ++speed) {
     for (AxisOperator::InnerIterator entry(flux, speed); entry; ++entry) {
-      EXPECT_GE(entry.col() % grid.nv(), grid.nv() / 2);
-      EXPECT_GE(entry.col() / grid.nv(), 15);  // the five cells at the wall
+      EXPECT_GE(entry.col() % grid.v_cell_count(), grid.v_cell_count() / 2);
+      EXPECT_GE(entry.col() / grid.v_cell_count(), 15);  // the five cells at the wall
     }
   }
   Eigen::VectorXd beam = Eigen::VectorXd::Zero(grid.size());
-  for (int i = 0; i < grid.nx(); ++i) beam(i * grid.nv() + 20) = 1;  // 1.0 < x2 < 1.2
+  for (int i = 0; i < grid.nx(); ++i) beam(i * grid.v_cell_count() + 20) = 1;  // 1.0 < x2 < 1.2
   const Eigen::VectorXd out = flux * beam;
   EXPECT_NEAR(out.sum(), 1.1, 1e-2);
   EXPECT_NEAR(out(5), 1.1, 1e-2);
@@ -329,9 +333,9 @@ TEST(OperatorOfGeneralOscillator, AnnihilatesExactDensitiesToItsOrder) {
     const Problem& p = one.problem;
     const exact::EnergyLaw law(p);
     const auto residual = [&](int cells, int order) {
-      const Grid grid =
+      const PhasePlaneGrid grid =
           grid_of(p.system, one.left, one.right, one.v_max, cells, 2 * (7 * cells / 8));
-      Excitation noise{.diffusion = p.noise.diffusion(), .exchange = {}};
+      DiscreteExcitation noise{.diffusion = p.noise.diffusion(), .exchange = {}};
       const auto op = fokker_planck_operator(p.system, noise, ImpactCondition::map, grid, order);
       return grid.cell_areas().dot((op * three_point_averages(grid, law)).cwiseAbs());
     };

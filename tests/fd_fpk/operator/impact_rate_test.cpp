@@ -25,10 +25,11 @@ struct Rates {
 Rates rates(const Problem& given, ImpactCondition impact, double origin_refinement,
             double refinement = 0.7) {
   const Problem p = tests::in_wall_coordinates(given);
-  const Options options{
+  const FiniteVolumeOptions options{
       .impact = impact, .refinement = refinement, .origin_refinement = origin_refinement};
   const auto scales = problem::motion_scales(p);
-  const Discretisation on = discretise(p, options, initial_box(p, scales, options));
+  const PlaneDiscretisation on =
+      discretise_density_equation(p, options, initial_box(p, scales, options));
   const auto op = fokker_planck_operator(p, options, on);
   Preconditioner preconditioner(p, on.excitation, impact, on.grid);
   const auto found =
@@ -80,9 +81,10 @@ TEST(ImpactRate, DoesNotDependOnTheSideOfTheWall) {
   // An arbitrary nonstationary density and its mirror image.
   const auto rate = [](const System& system, bool mirrored) {
     const Problem p = tests::in_wall_coordinates(tests::with_noise(system, 0.2));
-    const Options options{.refinement = 0.7, .origin_refinement = 16};
+    const FiniteVolumeOptions options{.refinement = 0.7, .origin_refinement = 16};
     const auto scales = problem::motion_scales(p);
-    const Discretisation on = discretise(p, options, initial_box(p, scales, options));
+    const PlaneDiscretisation on =
+        discretise_density_equation(p, options, initial_box(p, scales, options));
     const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(on.grid.size(), 0, 1).array().sin() + 0.3;
     Eigen::VectorXd averages = initial_gaussian(on.grid, scales).cwiseProduct(x);
     if (mirrored) {

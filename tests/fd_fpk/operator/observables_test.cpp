@@ -12,7 +12,7 @@ namespace {
 // E[|x|^n] of a normal variable, n even: (n - 1)!! s^n.
 TEST(Observables, MomentsOfTheFoldedGaussianAreThoseOfTheNormalLaw) {
   const double s = 0.7, w = 0.9;
-  const Grid grid = make_grid(48, 96, 6 * s, 6.5 * w);
+  const PhasePlaneGrid grid = make_grid(48, 96, 6 * s, 6.5 * w);
   const Eigen::VectorXd averages = gaussian_cell_averages({s, w}, grid);
   const auto m = moments(grid, averages, 5);
   EXPECT_NEAR(m.y1, s * std::sqrt(2 / M_PI), 1e-6);
@@ -25,7 +25,7 @@ TEST(Observables, MomentsOfTheFoldedGaussianAreThoseOfTheNormalLaw) {
 
 TEST(Observables, MeanEnergyIsKineticPlusTheMeanOfThePotential) {
   const double s = 0.7, w = 0.9;
-  const Grid grid = make_grid(48, 96, 6 * s, 6.5 * w);
+  const PhasePlaneGrid grid = make_grid(48, 96, 6 * s, 6.5 * w);
   const Eigen::VectorXd averages = gaussian_cell_averages({s, w}, grid);
   for (const double cubic : {0.0, 0.4}) {
     const auto system = tests::make_problem({.cubic = cubic}).system;
@@ -44,7 +44,7 @@ TEST(Observables, MeanEnergyIsKineticPlusTheMeanOfThePotential) {
 // int_{v<0} |v|^n p(0, v) dv of the folded Gaussian.
 TEST(Observables, ImpactFluxIsThatOfTheOutgoingHalf) {
   const double s = 0.7, w = 0.9;
-  const Grid grid = make_grid(64, 128, 6 * s, 6.5 * w);
+  const PhasePlaneGrid grid = make_grid(64, 128, 6 * s, 6.5 * w);
   const Eigen::VectorXd averages = gaussian_cell_averages({s, w}, grid);
   const double wall = 2 / (s * std::sqrt(2 * M_PI));
   EXPECT_NEAR(wall_speed_moment(grid, averages, 5, 1), wall * w / std::sqrt(2 * M_PI), 1e-5);
@@ -57,7 +57,7 @@ TEST(Observables, ImpactFluxIsThatOfTheOutgoingHalf) {
 TEST(Observables, BalancesOfVirialAndMomentumAreThoseOfTheFoldedGaussian) {
   const double k = 1.7, s = 0.7, w = std::sqrt(k) * s;
   const auto p = tests::make_problem({.stiffness = k, .cubic = 0, .restitution = 1});
-  const Grid grid = make_grid(64, 128, 6 * s, 6.5 * w);
+  const PhasePlaneGrid grid = make_grid(64, 128, 6 * s, 6.5 * w);
   const auto of = [&](double velocity_deviation) {
     const auto averages = gaussian_cell_averages({s, velocity_deviation}, grid);
     return balance_residuals(p, grid, averages, 5,

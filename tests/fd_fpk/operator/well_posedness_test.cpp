@@ -11,10 +11,11 @@ namespace {
 
 constexpr double kRate = 3.17;  // the default length of two_point is then 0.8 of an automatic cell
 
-WellPosednessCheck posedness_of(const problem::Problem& problem, Options options) {
+WellPosednessCheck posedness_of(const problem::Problem& problem, FiniteVolumeOptions options) {
   options.equation = DensityEquation::km4;
-  return check_well_posedness(problem, options,
-                              discretise(problem, options, initial_box(problem, options)));
+  return check_well_posedness(
+      problem, options,
+      discretise_density_equation(problem, options, initial_box(problem, options)));
 }
 
 // The number behind "at least " in a reason.

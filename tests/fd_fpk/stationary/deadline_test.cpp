@@ -13,8 +13,8 @@ namespace {
 
 TEST(SolveDeadline, ABoxIsNotWidenedAfterTheDeadline) {
   const auto p = tests::make_problem({.rate = 0.3, .law = "laplace"});
-  const Box first = initial_box(p, {});
-  const Box late = stationary_box(p, problem::motion_scales(p), {}, base::Deadline(0));
+  const PhasePlaneBox first = initial_box(p, {});
+  const PhasePlaneBox late = stationary_box(p, problem::motion_scales(p), {}, base::Deadline(0));
   EXPECT_EQ(late.x1_max, first.x1_max);
   EXPECT_EQ(late.x2_max, first.x2_max);
   EXPECT_GT(stationary_box(p, problem::motion_scales(p), {}, base::Deadline(HUGE_VAL)).x2_max,
@@ -23,12 +23,12 @@ TEST(SolveDeadline, ABoxIsNotWidenedAfterTheDeadline) {
 
 TEST(SolveDeadline, EvenTheFirstSolveIsAborted) {
   const auto p = tests::paper_case(1);
-  const ScalesAndBox scales_and_box{.scales = problem::motion_scales(p)};
-  const Options direct{.stepper = StationarySolver::direct};
+  const MotionScalesAndBox scales_and_box{.scales = problem::motion_scales(p)};
+  const FiniteVolumeOptions direct{.stepper = StationarySolver::direct};
   const base::Deadline over(0);
   for (const auto& late : {solve_on_one_grid(p, scales_and_box, direct, over).solution,
                            solve_along_characteristics(p, scales_and_box.scales, {}, over).solution,
-                           solve(p, {.max_seconds = 1e-6}).solution}) {
+                           solve_stationary_density(p, {.max_seconds = 1e-6}).solution}) {
     EXPECT_EQ(late.status, transform::Status::failed);
     EXPECT_FALSE(late.density);
     EXPECT_NE(late.reason.find("max_seconds"), std::string::npos) << late.reason;
@@ -37,8 +37,8 @@ TEST(SolveDeadline, EvenTheFirstSolveIsAborted) {
 
 TEST(SolveDeadline, AStepIsAborted) {
   const auto p = tests::paper_case(1);
-  const Options options{.equation = DensityEquation::white, .nx = 16, .nv = 32};
-  const Discretisation on = discretise(p, options, initial_box(p, options));
+  const FiniteVolumeOptions options{.equation = DensityEquation::white, .nx = 16, .nv = 32};
+  const PlaneDiscretisation on = discretise_density_equation(p, options, initial_box(p, options));
   const auto op = fokker_planck_operator(p, options, on);
   const auto march = [&](double seconds) {
     Preconditioner preconditioner(p, on.excitation, options.impact, on.grid);

@@ -38,8 +38,8 @@ transform::Solution wave(double amplitude) {
   return solution;
 }
 
-Result on_grid(double amplitude, double impact_rate = 0) {
-  Result result{.solution = wave(amplitude), .summary = {}};
+FiniteVolumeResult on_grid(double amplitude, double impact_rate = 0) {
+  FiniteVolumeResult result{.solution = wave(amplitude), .summary = {}};
   result.summary.impact_rate = impact_rate;
   return result;
 }
@@ -47,7 +47,8 @@ Result on_grid(double amplitude, double impact_rate = 0) {
 TEST(ErrorEstimate, IsTheRemainderOfAGeometricSeries) {
   // Errors 16 e, 4 e, e: order 4 at the ratio sqrt 2.
   const double e = 0.001;
-  const auto error = estimate_error(on_grid(16 * e), on_grid(4 * e), on_grid(e), 5);
+  const auto error =
+      estimate_error_from_three_grids(on_grid(16 * e), on_grid(4 * e), on_grid(e), 5);
   EXPECT_NEAR(error.observed_order, 4, 1e-9);
   EXPECT_NEAR(error.y_l1, 8 * e, 1e-12);  // |amplitude| over an area of 8
   EXPECT_NEAR(error.moments.y2, e, 1e-12);
@@ -58,24 +59,27 @@ TEST(ErrorEstimate, IsTheRemainderOfAGeometricSeries) {
 TEST(ErrorEstimate, DoesNotMistakeChanceAgreementForAccuracy) {
   // The last two levels agree by chance: the preceding difference and the order of the scheme bound
   // the error from below.
-  const auto error = estimate_error(on_grid(0.016), on_grid(0.001), on_grid(0.001), 5);
+  const auto error =
+      estimate_error_from_three_grids(on_grid(0.016), on_grid(0.001), on_grid(0.001), 5);
   EXPECT_GT(error.moments.y2, 0.5 * 0.015 / std::pow(2, 2.5) / std::pow(2, 2.5));
   // Constant differences do not indicate convergence.
-  const auto stalled = estimate_error(on_grid(0.001), on_grid(0.003), on_grid(0.001), 5);
+  const auto stalled =
+      estimate_error_from_three_grids(on_grid(0.001), on_grid(0.003), on_grid(0.001), 5);
   EXPECT_GT(stalled.moments.y2, 0.002);
 }
 
 // The coarsest grid does not resolve the density. An observed order of 14 is impossible for a
 // scheme of order 5, and must not reduce the estimate to a fifth of the last difference.
 TEST(ErrorEstimate, IgnoresAnImplausibleObservedOrder) {
-  const auto error = estimate_error(on_grid(0.129), on_grid(0.002), on_grid(0.001), 5);
+  const auto error =
+      estimate_error_from_three_grids(on_grid(0.129), on_grid(0.002), on_grid(0.001), 5);
   EXPECT_GT(error.observed_order, 13);
   EXPECT_GE(error.y_l1, 8 * 0.001 / (transform::kRefinementRatio - 1) * (1 - 1e-12));
   EXPECT_GE(error.moments.y2, 0.001 / (transform::kRefinementRatio - 1) * (1 - 1e-12));
   EXPECT_FALSE(error.has_richardson_limit);
   // Cancellation of errors may raise the observed order slightly above that of the scheme.
-  const auto cancelling = estimate_error(on_grid(0.001 * std::pow(2, 6.5)),
-                                         on_grid(0.001 * std::pow(2, 3.25)), on_grid(0.001), 5);
+  const auto cancelling = estimate_error_from_three_grids(
+      on_grid(0.001 * std::pow(2, 6.5)), on_grid(0.001 * std::pow(2, 3.25)), on_grid(0.001), 5);
   EXPECT_NEAR(cancelling.observed_order, 6.5, 0.5);
   EXPECT_TRUE(cancelling.has_richardson_limit);
 }
@@ -84,8 +88,8 @@ TEST(ErrorEstimate, IgnoresAnImplausibleObservedOrder) {
 // 4.
 TEST(ErrorEstimate, OfTheImpactRateUsesItsOwnLowerOrder) {
   const double e = 0.001, q = std::pow(2, 0.7);
-  const auto error = estimate_error(on_grid(16 * e, 1 + e * q * q), on_grid(4 * e, 1 + e * q),
-                                    on_grid(e, 1 + e), 5);
+  const auto error = estimate_error_from_three_grids(
+      on_grid(16 * e, 1 + e * q * q), on_grid(4 * e, 1 + e * q), on_grid(e, 1 + e), 5);
   EXPECT_NEAR(error.impact_rate, e, 1e-9);
   EXPECT_NEAR(error.moments.y2, e, 1e-12);
 }
@@ -94,7 +98,7 @@ TEST(ErrorEstimate, HasTheSizeOfTheTrueError) {
   const auto p = tests::make_problem({.cubic = 0, .restitution = 1});
   const exact::LinearDensity exact(p);
   for (const double refinement : {0.8, 1.2}) {
-    const auto [solution, summary] = solve(
+    const auto [solution, summary] = solve_stationary_density(
         p, {.stepper = StationarySolver::direct, .refinement = refinement, .error_estimate = true});
     ASSERT_TRUE(summary.error.has_value());
     const auto [y, v] = tests::distances(
@@ -115,7 +119,7 @@ TEST(ErrorEstimate, AToleranceSelectsASufficientGridAndNotAMuchFinerOne) {
   int cells_before = 0;
   for (const double tolerance : {1e-3, 1e-4, 1e-5}) {
     const auto [solution, summary] =
-        solve(p, {.stepper = StationarySolver::direct, .tolerance = tolerance});
+        solve_stationary_density(p, {.stepper = StationarySolver::direct, .tolerance = tolerance});
     ASSERT_EQ(solution.status, Status::ok) << solution.reason;
     const auto [y, v] = tests::distances(
         solution, [&](const auto& edges) { return exact.displacement_averages(edges); },
@@ -136,12 +140,13 @@ TEST(ErrorEstimate, IncludesTheTruncationOfMomentsByTheBox) {
   for (const tests::Parameters& parameters :
        {tests::Parameters{.restitution = 0.9, .rate = 0.3}, tests::Parameters{.law = "laplace"}}) {
     const auto p = tests::make_problem(parameters);
-    Options options{.stepper = StationarySolver::direct, .transport = TransportScheme::upwind};
-    const auto solution = solve(p, options).solution;
+    FiniteVolumeOptions options{.stepper = StationarySolver::direct,
+                                .transport = TransportScheme::upwind};
+    const auto solution = solve_stationary_density(p, options).solution;
     ASSERT_TRUE(solution.error) << solution.reason;
     options.wall_density = 1e-10;
     options.error_estimate = false;
-    const auto wide = solve(p, options).solution;
+    const auto wide = solve_stationary_density(p, options).solution;
     for (const auto& [name, symbol, moment, size] : transform::kMoments) {
       EXPECT_LT(std::abs(wide.moments.*moment - solution.moments.*moment),
                 1.1 * solution.error->moments.*moment)
@@ -155,8 +160,8 @@ TEST(ErrorEstimate, IncludesTheTruncationOfMomentsByTheBox) {
 TEST(ErrorEstimate, AToleranceWidensTheBoxForTheSecondMoments) {
   const auto p = tests::make_problem({.cubic = 0, .restitution = 1, .rate = 0.3, .law = "laplace"});
   const double tolerance = 1e-4;
-  const auto [solution, summary] =
-      solve(p, {.stepper = StationarySolver::direct, .max_seconds = 600, .tolerance = tolerance});
+  const auto [solution, summary] = solve_stationary_density(
+      p, {.stepper = StationarySolver::direct, .max_seconds = 600, .tolerance = tolerance});
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
   const double y2 = exact::linear_cumulant(p, 2, 0), v2 = exact::linear_cumulant(p, 0, 2);
   EXPECT_LT(std::abs(solution.moments.y2 - y2), tolerance * y2);
@@ -165,14 +170,14 @@ TEST(ErrorEstimate, AToleranceWidensTheBoxForTheSecondMoments) {
 
 // A solver whose error decreases with the given order on uniform grids and with order 5 on graded
 // grids. It fails on cells narrower than half of the automatic width.
-SolveOnOneGrid solver_of_order(double uniform_order, std::vector<Options>& requests) {
+SolveOnOneGrid solver_of_order(double uniform_order, std::vector<FiniteVolumeOptions>& requests) {
   const auto mutex = std::make_shared<std::mutex>();
-  return [=, &requests](const Options& options) {
+  return [=, &requests](const FiniteVolumeOptions& options) {
     {
       const std::lock_guard lock(*mutex);
       requests.push_back(options);
     }
-    Result result;
+    FiniteVolumeResult result;
     result.summary.origin_refinement = options.origin_refinement.value_or(1);
     if (options.refinement > 2.1) {
       result.solution.status = Status::failed;
@@ -188,10 +193,10 @@ SolveOnOneGrid solver_of_order(double uniform_order, std::vector<Options>& reque
 
 TEST(ErrorEstimate, SlowConvergenceTurnsOnTheGrading) {
   for (const double order : {1.5, 4.5}) {
-    std::vector<Options> requests;
-    const auto result =
-        solve_to_tolerance(solver_of_order(order, requests),
-                           {.stepper = StationarySolver::direct, .tolerance = 5e-3}, kNoDeadline);
+    std::vector<FiniteVolumeOptions> requests;
+    const auto result = refine_grid_to_tolerance(
+        solver_of_order(order, requests), {.stepper = StationarySolver::direct, .tolerance = 5e-3},
+        kNoDeadline);
     EXPECT_EQ(result.solution.status, Status::ok) << result.solution.reason;
     EXPECT_EQ(result.summary.origin_refinement > 1, order < 2) << order;
     EXPECT_LE(result.summary.error->y_l1, 5e-3);
@@ -202,14 +207,15 @@ TEST(ErrorEstimate, SlowConvergenceTurnsOnTheGrading) {
 TEST(ErrorEstimate, ExtrapolationGivesTheLimitOfAManufacturedSequence) {
   // Waves of amplitude 0.01 F^-4 on grids F times finer converge to the uniform density.
   const std::vector<double> edges{0, 1, 2, 3, 4};
-  std::vector<Options> requests;
+  std::vector<FiniteVolumeOptions> requests;
   for (const std::optional<double> tolerance : {std::optional<double>(), std::optional(3e-3)}) {
     for (const auto stepper : {StationarySolver::direct, StationarySolver::cvode}) {
-      const Options options{
+      const FiniteVolumeOptions options{
           .stepper = stepper, .error_estimate = !tolerance, .tolerance = tolerance};
       const auto solve_one = solver_of_order(4, requests);
-      const auto solution = tolerance ? solve_to_tolerance(solve_one, options, kNoDeadline).solution
-                                      : solve_with_error_estimate(solve_one, options).solution;
+      const auto solution = tolerance
+                                ? refine_grid_to_tolerance(solve_one, options, kNoDeadline).solution
+                                : solve_with_error_estimate(solve_one, options).solution;
       const auto fine = transform::marginal(solution, StateVariable::y, edges);
       const auto limit = transform::richardson_limit_marginal(solution, StateVariable::y, edges);
       for (std::size_t k = 0; k < limit.size(); ++k) {
@@ -225,7 +231,7 @@ TEST(ErrorEstimate, ExtrapolationGivesTheLimitOfAManufacturedSequence) {
 // Slowly decreasing differences determine the size of the error, but no limit.
 TEST(ErrorEstimate, SlowConvergenceHasNoLimit) {
   for (const double order : {1.3, 1.7}) {
-    std::vector<Options> requests;
+    std::vector<FiniteVolumeOptions> requests;
     const auto solution =
         solve_with_error_estimate(solver_of_order(order, requests),
                                   {.stepper = StationarySolver::direct, .error_estimate = true})
@@ -236,8 +242,8 @@ TEST(ErrorEstimate, SlowConvergenceHasNoLimit) {
 
 TEST(ErrorEstimate, AnEstimateAboveTheRequestedAccuracyIsInaccurate) {
   for (const double amplitude : {0.0008, 0.004}) {  // L1 of p(y): 8 times the amplitude
-    const auto solve_one = [&](const Options& options) {
-      Result result;
+    const auto solve_one = [&](const FiniteVolumeOptions& options) {
+      FiniteVolumeResult result;
       result.solution = wave(amplitude * std::pow(options.refinement, -4));
       result.solution.status = Status::ok;
       return result;
@@ -255,9 +261,9 @@ TEST(ErrorEstimate, DoesNotDependOnWhetherTheBoxIsKnown) {
   for (const bool moves_box : {false, true}) {
     for (const bool refines : {false, true}) {
       std::atomic<int> solutions = 0;
-      const auto solve_one = [&](const Options& options) {
+      const auto solve_one = [&](const FiniteVolumeOptions& options) {
         ++solutions;
-        Result result;
+        FiniteVolumeResult result;
         const bool is_finest = options.refine_unresolved;
         const double refinement = options.refinement * (is_finest && refines ? 1.5 : 1);
         const double box = options.x1_max.value_or(is_finest && moves_box ? 5 : 4);
@@ -271,11 +277,12 @@ TEST(ErrorEstimate, DoesNotDependOnWhetherTheBoxIsKnown) {
         result.summary.x2_max = 1;
         return result;
       };
-      const Options options{.stepper = StationarySolver::direct, .error_estimate = true};
-      const Result expected = solve_with_error_estimate(solve_one, options);
+      const FiniteVolumeOptions options{.stepper = StationarySolver::direct,
+                                        .error_estimate = true};
+      const FiniteVolumeResult expected = solve_with_error_estimate(solve_one, options);
       EXPECT_EQ(solutions, 3);
-      const Result result =
-          solve_with_error_estimate(solve_one, options, Box{.x1_max = 4, .x2_max = 1});
+      const FiniteVolumeResult result =
+          solve_with_error_estimate(solve_one, options, PhasePlaneBox{.x1_max = 4, .x2_max = 1});
       EXPECT_EQ(solutions, moves_box || refines ? 8 : 6);
       EXPECT_EQ(result.summary.error->y_l1, expected.summary.error->y_l1);
       EXPECT_EQ(result.summary.error->moments.y2, expected.summary.error->moments.y2);
@@ -290,12 +297,12 @@ TEST(ErrorEstimate, FinerGridsAreChosenByTheirNumberOfCells) {
   const auto levels_from = [&](int cells, TransportScheme transport) {
     std::mutex mutex;
     std::vector<double> refinements;
-    const auto solve_one = [&](const Options& options) {
+    const auto solve_one = [&](const FiniteVolumeOptions& options) {
       {
         const std::lock_guard lock(mutex);
         refinements.push_back(options.refinement);
       }
-      Result result;
+      FiniteVolumeResult result;
       result.summary.refinement = options.refinement;
       result.summary.transport = transport;
       result.summary.nx = static_cast<int>(cells * options.refinement * options.refinement);
@@ -304,8 +311,8 @@ TEST(ErrorEstimate, FinerGridsAreChosenByTheirNumberOfCells) {
       result.solution.status = Status::ok;
       return result;
     };
-    const auto result = refine_until_deadline(solve_one, {.order = 5}, base::Deadline(kSeconds),
-                                              RefinementGoal::accurate);
+    const auto result = refine_grid_until_deadline(
+        solve_one, {.order = 5}, base::Deadline(kSeconds), GridRefinementGoal::accurate);
     EXPECT_EQ(result.summary.refinement, *std::ranges::max_element(refinements));
     return std::lround(2 * std::log2(result.summary.refinement));
   };
@@ -318,9 +325,9 @@ TEST(ErrorEstimate, FinerGridsAreChosenByTheirNumberOfCells) {
 // nonnegative are refined further.
 TEST(ErrorEstimate, ADensityWithANegativeLimitIsNotRefinedForTheStatus) {
   const auto refinement_of = [](problem::ImpactCondition impact, double min_density) {
-    const auto solve_one = [min_density](const Options& options) {
+    const auto solve_one = [min_density](const FiniteVolumeOptions& options) {
       constexpr double kMaxRefinement = 3;
-      Result result;
+      FiniteVolumeResult result;
       if (options.refinement > kMaxRefinement) return result;
       result.summary.refinement = options.refinement;
       result.summary.nx = static_cast<int>(5000 * options.refinement * options.refinement);
@@ -330,8 +337,8 @@ TEST(ErrorEstimate, ADensityWithANegativeLimitIsNotRefinedForTheStatus) {
       result.solution.status = Status::inadmissible;
       return result;
     };
-    return refine_until_deadline(solve_one, {.impact = impact, .order = 5}, base::Deadline(10),
-                                 RefinementGoal::accurate)
+    return refine_grid_until_deadline(solve_one, {.impact = impact, .order = 5}, base::Deadline(10),
+                                      GridRefinementGoal::accurate)
         .summary.refinement;
   };
   EXPECT_EQ(refinement_of(problem::ImpactCondition::delta, -2e-3), 1);
@@ -341,8 +348,8 @@ TEST(ErrorEstimate, ADensityWithANegativeLimitIsNotRefinedForTheStatus) {
 
 // The first graded grid gives no density: the result of the uniform grids is returned.
 TEST(ErrorEstimate, ResultsBeforeTheGradingAreKept) {
-  const auto solve_one = [](const Options& options) {
-    Result result;
+  const auto solve_one = [](const FiniteVolumeOptions& options) {
+    FiniteVolumeResult result;
     result.summary.origin_refinement = options.origin_refinement.value_or(1);
     if (result.summary.origin_refinement > 1) {
       result.solution.status = Status::failed;
@@ -353,7 +360,7 @@ TEST(ErrorEstimate, ResultsBeforeTheGradingAreKept) {
     }
     return result;
   };
-  const auto result = solve_to_tolerance(
+  const auto result = refine_grid_to_tolerance(
       solve_one, {.stepper = StationarySolver::direct, .tolerance = 1e-4}, kNoDeadline);
   EXPECT_EQ(result.solution.status, Status::not_converged);
   EXPECT_TRUE(result.solution.density.has_value());
@@ -362,10 +369,10 @@ TEST(ErrorEstimate, ResultsBeforeTheGradingAreKept) {
 }
 
 TEST(ErrorEstimate, TheDeadlineEndsTheSearchForATolerance) {
-  std::vector<Options> requests;
-  const auto result = solve_to_tolerance(solver_of_order(4, requests),
-                                         {.stepper = StationarySolver::direct, .tolerance = 1e-9},
-                                         base::Deadline(0));
+  std::vector<FiniteVolumeOptions> requests;
+  const auto result = refine_grid_to_tolerance(
+      solver_of_order(4, requests), {.stepper = StationarySolver::direct, .tolerance = 1e-9},
+      base::Deadline(0));
   EXPECT_EQ(requests.size(), 1u);  // one solution at any time limit
   EXPECT_EQ(result.solution.status, Status::not_converged);
   EXPECT_TRUE(result.solution.density.has_value());
@@ -374,7 +381,8 @@ TEST(ErrorEstimate, TheDeadlineEndsTheSearchForATolerance) {
 }
 
 TEST(ErrorEstimate, SteppingToATolerancePassesTheEstimateOn) {
-  const auto [solution, summary] = solve(tests::paper_case(1), {.tolerance = 1e-4});
+  const auto [solution, summary] =
+      solve_stationary_density(tests::paper_case(1), {.tolerance = 1e-4});
   ASSERT_EQ(solution.status, Status::ok) << solution.reason;
   EXPECT_GT(summary.steps, 1);
   ASSERT_TRUE(summary.error.has_value());
@@ -382,10 +390,10 @@ TEST(ErrorEstimate, SteppingToATolerancePassesTheEstimateOn) {
 }
 
 TEST(ErrorEstimate, AnUnattainableToleranceIsNotConvergedAndStatesItsEstimate) {
-  std::vector<Options> requests;
-  const auto [solution, summary] =
-      solve_to_tolerance(solver_of_order(5, requests),
-                         {.stepper = StationarySolver::direct, .tolerance = 1e-12}, kNoDeadline);
+  std::vector<FiniteVolumeOptions> requests;
+  const auto [solution, summary] = refine_grid_to_tolerance(
+      solver_of_order(5, requests), {.stepper = StationarySolver::direct, .tolerance = 1e-12},
+      kNoDeadline);
   EXPECT_EQ(solution.status, Status::not_converged);
   EXPECT_NE(solution.reason.find("requested 1.0e-12"), std::string::npos) << solution.reason;
   EXPECT_NE(solution.reason.find("too many cells"), std::string::npos) << solution.reason;
@@ -393,18 +401,21 @@ TEST(ErrorEstimate, AnUnattainableToleranceIsNotConvergedAndStatesItsEstimate) {
 }
 
 TEST(ErrorEstimate, AToleranceExcludesCellNumbers) {
-  EXPECT_THROW(solve(tests::paper_case(1), {.nx = 40, .tolerance = 1e-4}), InputError);
-  EXPECT_THROW(solve(tests::paper_case(1), {.tolerance = 0.0}), InputError);
+  EXPECT_THROW(solve_stationary_density(tests::paper_case(1), {.nx = 40, .tolerance = 1e-4}),
+               InputError);
+  EXPECT_THROW(solve_stationary_density(tests::paper_case(1), {.tolerance = 0.0}), InputError);
 }
 
 // Grids with the same cells have equal solutions, whose difference would not measure the error.
 TEST(ErrorEstimate, IsAbsentForLevelsWithTheSameCells) {
   const auto p = tests::paper_case(1);
-  const auto coarsest = solve(p, {.stepper = StationarySolver::direct, .refinement = 0.01});
+  const auto coarsest =
+      solve_stationary_density(p, {.stepper = StationarySolver::direct, .refinement = 0.01});
   EXPECT_NE(coarsest.solution.status, transform::Status::ok);
-  const auto coarse = solve(p, {.stepper = StationarySolver::direct, .refinement = 0.3});
+  const auto coarse =
+      solve_stationary_density(p, {.stepper = StationarySolver::direct, .refinement = 0.3});
   ASSERT_TRUE(coarse.solution.error);
-  const auto fine = solve(p, {.stepper = StationarySolver::direct});
+  const auto fine = solve_stationary_density(p, {.stepper = StationarySolver::direct});
   EXPECT_GT(coarse.solution.error->moments.y2,
             0.5 * std::abs(coarse.solution.moments.y2 - fine.solution.moments.y2));
 }

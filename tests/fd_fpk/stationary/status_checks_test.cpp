@@ -10,31 +10,34 @@ namespace {
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Resolution, LimitsAreStricterForAutomaticGridsThanForResults) {
-  EXPECT_GT(kAutomaticGridLimits.min_density, kStationaryLimits.min_density);
-  EXPECT_GT(kStationaryLimits.min_density, kTransientLimits.min_density);
-  EXPECT_LT(kAutomaticGridLimits.power, kStationaryLimits.power);
-  EXPECT_LT(kStationaryLimits.power, kTransientLimits.power);
+  EXPECT_GT(kAutomaticGridResolutionLimits.min_density, kStationaryResolutionLimits.min_density);
+  EXPECT_GT(kStationaryResolutionLimits.min_density, kTransientResolutionLimits.min_density);
+  EXPECT_LT(kAutomaticGridResolutionLimits.power, kStationaryResolutionLimits.power);
+  EXPECT_LT(kStationaryResolutionLimits.power, kTransientResolutionLimits.power);
 }
 
 TEST(Resolution, AcceptsValuesUpToTheLimitsOfEitherSign) {
-  EXPECT_TRUE(kStationaryLimits.is_density_accepted(0.99 * kStationaryLimits.min_density));
-  EXPECT_FALSE(kStationaryLimits.is_density_accepted(1.01 * kStationaryLimits.min_density));
+  EXPECT_TRUE(kStationaryResolutionLimits.is_density_accepted(
+      0.99 * kStationaryResolutionLimits.min_density));
+  EXPECT_FALSE(kStationaryResolutionLimits.is_density_accepted(
+      1.01 * kStationaryResolutionLimits.min_density));
   for (const double sign : {-1, 1}) {
-    EXPECT_TRUE(
-        kStationaryLimits.is_power_residual_accepted(sign * 0.99 * kStationaryLimits.power));
-    EXPECT_FALSE(
-        kStationaryLimits.is_power_residual_accepted(sign * 1.01 * kStationaryLimits.power));
+    EXPECT_TRUE(kStationaryResolutionLimits.is_power_residual_accepted(
+        sign * 0.99 * kStationaryResolutionLimits.power));
+    EXPECT_FALSE(kStationaryResolutionLimits.is_power_residual_accepted(
+        sign * 1.01 * kStationaryResolutionLimits.power));
   }
-  EXPECT_FALSE(kStationaryLimits.is_density_accepted(kNotANumber));
-  EXPECT_FALSE(kStationaryLimits.is_power_residual_accepted(kNotANumber));
+  EXPECT_FALSE(kStationaryResolutionLimits.is_density_accepted(kNotANumber));
+  EXPECT_FALSE(kStationaryResolutionLimits.is_power_residual_accepted(kNotANumber));
 }
 
 TEST(Resolution, ABoxIsTooSmallWhereEitherWallCarriesDensity) {
-  const Grid grid = make_grid(16, 32, 2.5, 3.5);
-  EXPECT_EQ(box_failure_reason({}, grid, {0.9 * kMaxBoxEdgeDensity, 0.9 * kMaxBoxEdgeDensity}), "");
-  EXPECT_NE(box_failure_reason({}, grid, {1.1 * kMaxBoxEdgeDensity, 0}), "");
-  EXPECT_NE(box_failure_reason({}, grid, {kNotANumber, 0}), "");
-  EXPECT_EQ(box_failure_reason({}, grid, {0, 0.02}, "at t = 1 "),
+  const PhasePlaneGrid grid = make_grid(16, 32, 2.5, 3.5);
+  EXPECT_EQ(
+      small_box_failure_reason({}, grid, {0.9 * kMaxBoxEdgeDensity, 0.9 * kMaxBoxEdgeDensity}), "");
+  EXPECT_NE(small_box_failure_reason({}, grid, {1.1 * kMaxBoxEdgeDensity, 0}), "");
+  EXPECT_NE(small_box_failure_reason({}, grid, {kNotANumber, 0}), "");
+  EXPECT_EQ(small_box_failure_reason({}, grid, {0, 0.02}, "at t = 1 "),
             "the box y <= 2.5, |y'| <= 3.5 is too small: at t = 1 the density on its wall is "
             "2.0e-02 of the peak; increase y-max and v-max");
 }
@@ -42,8 +45,8 @@ TEST(Resolution, ABoxIsTooSmallWhereEitherWallCarriesDensity) {
 TEST(Resolution, AMessageStatesTheFreeSidesInPhysicalCoordinates) {
   const auto said = [](const problem::WallFrame& frame, AxisEndCondition left,
                        AxisEndCondition right) {
-    const Grid grid = symmetric_grid({0, 1, 2}, {0, 1, 3}, left, right);
-    const std::string objection = box_failure_reason(frame, grid, {0, 0, 0.02});
+    const PhasePlaneGrid grid = symmetric_grid({0, 1, 2}, {0, 1, 3}, left, right);
+    const std::string objection = small_box_failure_reason(frame, grid, {0, 0, 0.02});
     return objection.substr(0, objection.find(" is too small"));
   };
   using enum AxisEndCondition;

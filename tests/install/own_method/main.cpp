@@ -51,7 +51,8 @@ transform::Solution solve(const problem::Problem& problem, const Options& option
         return std::exp(-y * y / (2 * a * a) - v * v / (2 * b * b)) / (std::numbers::pi * a * b);
       },
       options.widths * a, options.widths * b};
-  const auto marginals = transform::quadrature_marginals(density, density.y_max, density.v_max);
+  const auto marginals =
+      transform::marginals_at_quadrature_points(density, density.y_max, density.v_max);
   transform::Solution solution{.identity = identity(options)};
   solution.status = transform::Status::ok;
   solution.density = density;
@@ -71,20 +72,20 @@ methods::Solver linear_solver() {
                                       .plot_style = [](const transform::SolutionIdentity&) {
                                         return transform::PlotStyle{.colour = "#808000"};
                                       }}}};
-  return methods::with_solver_traits<Options>(
+  return methods::registry_entry_with_solver_traits<Options>(
       std::move(entry),
       {.description = description(),
        .validate = validate,
        .identity = identity,
        .options_of = options_of,
        .solve = [](const problem::Problem& problem, const Options& options,
-                   const methods::SolveContext&) { return solve(problem, options); }});
+                   const methods::SolverInputContext&) { return solve(problem, options); }});
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   auto registry = methods::builtin_registry();
-  registry.add(linear_solver());
+  registry.add_solver(linear_solver());
   return fpkcheck::cli::run_program(std::vector<std::string>(argv + 1, argv + argc), registry);
 }

@@ -11,8 +11,8 @@ int main() {
   namespace transform = fpkcheck::transform;
   const auto problem = fpkcheck::problem::load_case("case1");
   const std::vector<transform::Solution> solutions{
-      fpkcheck::epc::solve(problem, {.order = 6}).solution,
-      fpkcheck::fd_fpk::solve(problem, {}).solution};
+      fpkcheck::epc::solve_closure(problem, {.order = 6}).solution,
+      fpkcheck::fd_fpk::solve_stationary_density(problem, {}).solution};
   const auto comparison = compare::compare_solutions(compare::comparison_axes(problem), solutions);
   for (const auto& pair : comparison.pairs) {
     std::printf("%s - %s, %s: L1 %.5f\n", pair.a.c_str(), pair.b.c_str(),

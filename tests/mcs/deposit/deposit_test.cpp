@@ -34,7 +34,7 @@ std::vector<double> make_knots(double from, double to, int cells, int repeated_m
   return all;
 }
 
-DepositGrid make_deposit_grid() {
+SampleDepositGrid make_deposit_grid() {
   return {.y_knots = make_knots(0, 4, 16),
           .v_knots = make_knots(-5, 5, 40, 3),
           .lattice_begin = -6,
@@ -63,8 +63,8 @@ std::vector<double> spline_coefficients_of_power(const std::vector<double>& knot
 
 /// Returns the sum of c_i c_j flow_ij, plus the lattice sums times the values (K v^q)(v) on the
 /// lattice.
-double generator_mean_of_power(const DepositGrid& g, const DepositedSums& d, int p, int q,
-                               const std::function<double(double)>& after_impulse) {
+double generator_mean_of_power(const SampleDepositGrid& g, const DepositedSampleSums& d, int p,
+                               int q, const std::function<double(double)>& after_impulse) {
   const auto in_y = spline_coefficients_of_power(g.y_knots, p),
              in_v = spline_coefficients_of_power(g.v_knots, q);
   double sum = 0;
@@ -106,25 +106,25 @@ struct Tally {
 
 struct Setting {
   problem::Problem problem = tests::make_problem({.cubic = 1, .restitution = 0.6, .rate = kRate});
-  Oscillator oscillator = tests::oscillator_of(problem);
+  SimulatedOscillator oscillator = tests::oscillator_of(problem);
   BinFinder y{tests::uniform_edges(0, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
-  DepositPlan plan{make_deposit_grid(), kRate, kInterval};
+  SampleDepositPlan plan{make_deposit_grid(), kRate, kInterval};
 
-  Stream advanced(std::uint32_t s, const simd::SimdVariant& lanes) const {
+  TrajectoryStream advanced(std::uint32_t s, const simd::SimdVariant& lanes) const {
     ImpulseSource source(problem.impulses, 21, s);
     const Impulse first = source.next_impulse();
-    Stream stream{.branch = {.y = 0.3,
-                             .v = 1 - 0.2 * s,
-                             .time_to_impulse = first.waiting,
-                             .amplitude = first.amplitude,
-                             .time_to_sample = kInterval / 2,
-                             .remaining = 0},
-                  .source = source,
-                  .record = StreamStatistics(y, v)};
-    stream.record.deposit = DepositedSums(plan.grid);
-    std::vector<Stream> copies(static_cast<std::size_t>(lanes.width), stream);
-    std::vector<Stream*> all;
-    for (Stream& copy : copies) all.push_back(&copy);
+    TrajectoryStream stream{.branch = {.y = 0.3,
+                                       .v = 1 - 0.2 * s,
+                                       .time_to_impulse = first.waiting_time,
+                                       .amplitude = first.amplitude,
+                                       .time_to_sample = kInterval / 2,
+                                       .remaining = 0},
+                            .source = source,
+                            .record = TrajectoryStreamStatistics(y, v)};
+    stream.record.deposit = DepositedSampleSums(plan.grid);
+    std::vector<TrajectoryStream> copies(static_cast<std::size_t>(lanes.width), stream);
+    std::vector<TrajectoryStream*> all;
+    for (TrajectoryStream& copy : copies) all.push_back(&copy);
     mcs::advance_all_streams({.oscillator = oscillator,
                               .step = 0.9,
                               .sampling_interval = kInterval,
@@ -140,7 +140,7 @@ TEST(DepositedSums, IsTheGeneratorOnPolynomialsAlongTheTrajectory) {
   const Setting setting;
   const double variance = setting.problem.impulses.amplitude_law().moment(2);
   for (std::uint32_t s = 0; s < 3; ++s) {
-    const Stream stream = setting.advanced(s, simd::available_simd_variants().back());
+    const TrajectoryStream stream = setting.advanced(s, simd::available_simd_variants().back());
     for (const auto& [p, q] :
          {std::pair{0, 0}, {1, 0}, {0, 1}, {2, 0}, {1, 1}, {0, 2}, {2, 2}, {0, 3}, {3, 1}}) {
       tests::Trajectory trajectory(setting.oscillator,
@@ -163,10 +163,10 @@ TEST(DepositedSums, TakesShiftsInPlaceOfTheLattice) {
   Setting setting;
   const double variance = setting.problem.impulses.amplitude_law().moment(2),
                d = std::sqrt(variance);
-  const DepositedSums lattice =
+  const DepositedSampleSums lattice =
       setting.advanced(0, simd::available_simd_variants().back()).record.deposit;
   setting.plan.grid.velocity_jumps = {{-d, 0.5}, {d, 0.5}};
-  const DepositedSums shifted =
+  const DepositedSampleSums shifted =
       setting.advanced(0, simd::available_simd_variants().back()).record.deposit;
   EXPECT_EQ(*std::ranges::max_element(shifted.lattice), 0);
   for (const auto& [p, q] : {std::pair{0, 2}, {1, 1}, {2, 2}, {0, 3}}) {
@@ -180,11 +180,11 @@ TEST(DepositedSums, TakesShiftsInPlaceOfTheLattice) {
 
 TEST(DepositedSums, HasTheSameBitsForAnyWidthAndInstructions) {
   const Setting setting;
-  const DepositedSums reference =
+  const DepositedSampleSums reference =
       setting.advanced(1, {simd::InstructionSet::baseline, 1}).record.deposit;
   for (const simd::SimdVariant& lanes : simd::available_simd_variants()) {
     SCOPED_TRACE(lanes.width);
-    const DepositedSums deposit = setting.advanced(1, lanes).record.deposit;
+    const DepositedSampleSums deposit = setting.advanced(1, lanes).record.deposit;
     EXPECT_EQ(deposit.flow, reference.flow);
     EXPECT_EQ(deposit.lattice, reference.lattice);
     EXPECT_EQ(deposit.y_bins, reference.y_bins);
@@ -197,8 +197,8 @@ TEST(DepositedSums, HasTheSameBitsForAnyWidthAndInstructions) {
 
 TEST(DepositedSums, CountsEverySampleInTheSmoothBins) {
   const Setting setting;
-  const Stream stream = setting.advanced(0, simd::available_simd_variants().back());
-  const DepositedSums& deposit = stream.record.deposit;
+  const TrajectoryStream stream = setting.advanced(0, simd::available_simd_variants().back());
+  const DepositedSampleSums& deposit = stream.record.deposit;
   const auto sum = [](const std::vector<double>& x) {
     return std::accumulate(x.begin(), x.end(), 0.0);
   };
@@ -207,15 +207,15 @@ TEST(DepositedSums, CountsEverySampleInTheSmoothBins) {
   // The first moment of M(t) is its centre.
   double first = 0;
   for (std::size_t b = 0; b < deposit.y_bins.size(); ++b) {
-    first +=
-        deposit.y_bins[b] * (-0.2 + 0.2 * (static_cast<double>(b) - DepositedSums::kBinOffset));
+    first += deposit.y_bins[b] *
+             (-0.2 + 0.2 * (static_cast<double>(b) - DepositedSampleSums::kBinOffset));
   }
   EXPECT_NEAR(first, stream.record.powers[0], 1e-9);
 }
 
 TEST(DepositedSums, RecordsImpactsAndImpulses) {
   const Setting setting;
-  const Stream stream = setting.advanced(0, simd::available_simd_variants().back());
+  const TrajectoryStream stream = setting.advanced(0, simd::available_simd_variants().back());
   const auto [before, after, beyond] = stream.record.deposit.impacts;
   EXPECT_GT(stream.record.impacts, 3);
   EXPECT_NEAR(after / before, 0.6, 1e-14);
@@ -225,10 +225,11 @@ TEST(DepositedSums, RecordsImpactsAndImpulses) {
 
 TEST(DepositedSums, DoesNotChangeOtherResults) {
   const auto problem = tests::paper_case(1);
-  const Options plain{.time = 2e4, .streams = 10};
-  Options depositing = plain;
+  const SimulationOptions plain{.time = 2e4, .streams = 10};
+  SimulationOptions depositing = plain;
   depositing.deposit = make_deposit_grid();
-  const Result a = solve(problem, plain), b = solve(problem, depositing);
+  const SimulationResult a = simulate_stationary_density(problem, plain),
+                         b = simulate_stationary_density(problem, depositing);
   EXPECT_TRUE(a.summary.deposits.empty());
   EXPECT_EQ(b.summary.deposits.size(), 10u);
   EXPECT_EQ(a.solution.moments.y2, b.solution.moments.y2);
@@ -238,26 +239,26 @@ TEST(DepositedSums, DoesNotChangeOtherResults) {
 }
 
 TEST(DepositedSums, RefusesGridsThatItCannotUse) {
-  const auto refused = [](const std::function<void(Options&)>& change) {
-    Options options{.deposit = make_deposit_grid()};
+  const auto refused = [](const std::function<void(SimulationOptions&)>& change) {
+    SimulationOptions options{.deposit = make_deposit_grid()};
     change(options);
     EXPECT_THROW(validate(options), InputError);
   };
-  EXPECT_NO_THROW(validate(Options{.deposit = make_deposit_grid()}));
-  refused([](Options& o) { o.equation = DensityEquation::white; });
-  refused([](Options& o) { o.tails = true; });
-  refused([](Options& o) { o.deposit->y_knots.erase(o.deposit->y_knots.begin()); });
-  refused([](Options& o) { o.deposit->v_knots[10] -= 1; });
-  refused([](Options& o) { o.deposit->lattice_points = 7; });
-  refused([](Options& o) { o.deposit->y_bins.spacing = 0; });
+  EXPECT_NO_THROW(validate(SimulationOptions{.deposit = make_deposit_grid()}));
+  refused([](SimulationOptions& o) { o.equation = DensityEquation::white; });
+  refused([](SimulationOptions& o) { o.tails = true; });
+  refused([](SimulationOptions& o) { o.deposit->y_knots.erase(o.deposit->y_knots.begin()); });
+  refused([](SimulationOptions& o) { o.deposit->v_knots[10] -= 1; });
+  refused([](SimulationOptions& o) { o.deposit->lattice_points = 7; });
+  refused([](SimulationOptions& o) { o.deposit->y_bins.spacing = 0; });
 }
 
 // States with NaN or infinity make a simulation fail, but cause no undefined behaviour.
 TEST(DepositLanes, AcceptsNonfiniteAndDistantStates) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
                    kInfinity = std::numeric_limits<double>::infinity();
-  const DepositPlan plan(make_deposit_grid(), kRate, kInterval);
-  DepositedSums deposit(plan.grid);
+  const SampleDepositPlan plan(make_deposit_grid(), kRate, kInterval);
+  DepositedSampleSums deposit(plan.grid);
   for (const double x : {kNan, -kNan, kInfinity, -kInfinity, 1e300, -1e300}) {
     EXPECT_EQ(evaluate_splines(plan.y, x).first, x > 0 ? 15 : 0) << x;
     deposit_sample(plan, deposit, 1, x, 1, 1);

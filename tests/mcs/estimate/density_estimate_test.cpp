@@ -37,7 +37,7 @@ TEST(L1SamplingError, OfIndependentErrorsIsNearItsMean) {
 // Compares the stated quantile with 20 runs: at most two of the 40 distances from the mean of all
 // runs exceed the 99 % quantile.
 TEST(L1SamplingError, PredictsTheErrorsOfIndependentRuns) {
-  std::vector<Result> runs;
+  std::vector<SimulationResult> runs;
   constexpr int kRuns = 20;
   for (int k = 0; k < kRuns; ++k) {
     runs.push_back(tests::simulate(tests::paper_case(4), 2e4, 100 + k));
@@ -56,7 +56,7 @@ TEST(L1SamplingError, PredictsTheErrorsOfIndependentRuns) {
       const auto& marginal = run.solution.estimated_marginals[variable].second;
       double distance = 0;
       for (std::size_t b = 0; b < mean.size(); ++b) {
-        distance += std::abs(marginal.density[b] - mean[b]) * marginal.width(b);
+        distance += std::abs(marginal.density[b] - mean[b]) * marginal.bin_width(b);
       }
       const auto which = run.solution.estimated_marginals[variable].first;
       ratio += distance / *expected_l1_error(*run.solution.sampling, which) / (2 * kRuns);

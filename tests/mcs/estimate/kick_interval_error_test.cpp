@@ -14,7 +14,8 @@ namespace {
 
 using problem::Problem;
 
-std::optional<SimulationPlan> doubled_plan(const Problem& problem, const Options& options = {}) {
+std::optional<SimulationPlan> doubled_plan(const Problem& problem,
+                                           const SimulationOptions& options = {}) {
   return plan_with_doubled_kick_interval(problem, make_simulation_plan(problem, options));
 }
 
@@ -49,36 +50,37 @@ TEST(KickIntervalError, ComparesWithTwiceTheIntervalAndOtherRandomNumbers) {
   EXPECT_NE(doubled.seed, plan.seed);
 
   const Problem paper = tests::make_problem({});
-  const Options white{.equation = DensityEquation::white};
+  const SimulationOptions white{.equation = DensityEquation::white};
   const SimulationPlan even = make_simulation_plan(paper, white);
   const SimulationPlan even_doubled = *plan_with_doubled_kick_interval(paper, even);
   EXPECT_EQ(even_doubled.excitation.interval, 2 * even.excitation.interval);
-  EXPECT_EQ(even_doubled.excitation.arrivals, Excitation::Arrivals::even);
+  EXPECT_EQ(even_doubled.excitation.arrivals, ImpulseProcess::Arrivals::even);
 }
 
 TEST(KickIntervalError, IsPartOfTheErrorThatTheAccuracyLimits) {
   const Problem problem = tests::make_problem({.restitution = 0.5});
   const auto solution_with_step = [&](double step) {
-    return solve(problem, {.equation = DensityEquation::white, .time = 3e5, .white_step = step})
+    return simulate_stationary_density(
+               problem, {.equation = DensityEquation::white, .time = 3e5, .white_step = step})
         .solution;
   };
   const transform::Solution coarse = solution_with_step(0.4), fine = solution_with_step(0.1);
   EXPECT_LT(*coarse.sampling->ydot_99, 0.02);
   EXPECT_EQ(coarse.status, transform::Status::inaccurate);
   EXPECT_NE(coarse.reason.find("--white-step"), std::string::npos) << coarse.reason;
-  EXPECT_TRUE(fine.is_ok()) << fine.reason;
+  EXPECT_TRUE(fine.has_status_ok()) << fine.reason;
   EXPECT_LT(fine.error->ydot_l1, coarse.error->ydot_l1 / 2);
 }
 
 // The simulation asks once between two rounds, and then before each round of the second simulation.
 TEST(KickIntervalError, IsAbsentAfterAnInterruptionOfTheSecondSimulation) {
   const Problem problem = tests::make_problem({.restitution = 0.5});
-  Options options{.equation = DensityEquation::white, .time = 1e4, .accuracy = 1};
-  const Result complete = solve(problem, options);
+  SimulationOptions options{.equation = DensityEquation::white, .time = 1e4, .accuracy = 1};
+  const SimulationResult complete = simulate_stationary_density(problem, options);
   ASSERT_TRUE(complete.solution.error);
   std::uint64_t questions = 0;
   options.stop = [&] { return ++questions > complete.summary.rounds; };
-  const Result interrupted = solve(problem, options);
+  const SimulationResult interrupted = simulate_stationary_density(problem, options);
   EXPECT_EQ(interrupted.summary.rounds, complete.summary.rounds);
   EXPECT_TRUE(interrupted.summary.interrupted);
   EXPECT_EQ(interrupted.solution.status, transform::Status::not_converged);

@@ -41,11 +41,11 @@ TEST(ImpulseSource, DrawsWaitingTimesOfThePoissonProcess) {
   const auto problem = tests::make_problem({.rate = 2.5});
   ImpulseSource source(problem.impulses, 1, 0);
   const auto moment = [&](int order) {
-    return [&source, order] { return std::pow(source.next_impulse().waiting, order); };
+    return [&source, order] { return std::pow(source.next_impulse().waiting_time, order); };
   };
   expect_mean(moment(1), 1 / 2.5, "E[t]");
   expect_mean(moment(2), 2 / (2.5 * 2.5), "E[t^2]");
-  expect_mean([&] { return source.next_impulse().waiting > 1 ? 1.0 : 0.0; }, std::exp(-2.5),
+  expect_mean([&] { return source.next_impulse().waiting_time > 1 ? 1.0 : 0.0; }, std::exp(-2.5),
               "P(t > 1)");
 }
 
@@ -90,7 +90,7 @@ TEST(ImpulseSource, DrawsTheAtomsOfATable) {
                                      .mean = 0.1,
                                      .table = tests::kAtoms});
   ImpulseSource source(train, 6, 0), mirrored(train.with_negated_amplitudes(), 6, 0);
-  const auto atoms = train.amplitude_law().atoms();
+  const auto atoms = train.amplitude_law().amplitude_atoms();
   std::vector<int> count(atoms.size());
   for (int n = 0; n < kDraws; ++n) {
     const double y = source.next_impulse().amplitude;
@@ -154,7 +154,7 @@ TEST(ImpulseSource, PiecesAreTheQuantilesToTheirTails) {
 TEST(ImpulseSource, StreamsAndSeedsDoNotShareNumbers) {
   const auto problem = tests::make_problem();
   const auto first = [&](std::uint64_t seed, std::uint32_t stream) {
-    return ImpulseSource(problem.impulses, seed, stream).next_impulse().waiting;
+    return ImpulseSource(problem.impulses, seed, stream).next_impulse().waiting_time;
   };
   EXPECT_EQ(first(1, 0), first(1, 0));
   EXPECT_NE(first(1, 0), first(1, 1));
@@ -170,7 +170,7 @@ TEST(ImpulseSource, StreamsAndTheNumbersOfOneImpulseAreUncorrelated) {
   expect_mean(
       [&] {
         const Impulse impulse = a.next_impulse();
-        return (impulse.waiting - 1) * impulse.amplitude * impulse.amplitude;
+        return (impulse.waiting_time - 1) * impulse.amplitude * impulse.amplitude;
       },
       0, "E[(t - 1) Y^2]");
 }
@@ -183,7 +183,7 @@ TEST(ImpulseSource, GoesOnFromAnyNumber) {
     resumed.seek_to_impulse(whole.drawn_impulse_count());
     EXPECT_EQ(resumed.drawn_impulse_count(), whole.drawn_impulse_count());
     const Impulse expected = whole.next_impulse(), found = resumed.next_impulse();
-    EXPECT_EQ(found.waiting, expected.waiting) << n;
+    EXPECT_EQ(found.waiting_time, expected.waiting_time) << n;
     EXPECT_EQ(found.amplitude, expected.amplitude) << n;
   }
 }
@@ -207,11 +207,11 @@ TEST(ImpulseSource, StartsAreStandardNormal) {
 TEST(ImpulseSource, KicksThatStandForWhiteNoiseComeEvenlyWithItsMeanAndIntensity) {
   const auto problem = tests::make_problem({.rate = 2, .intensity = 0.3, .mean = 0.1});
   const double h = 0.05;
-  ImpulseSource source(white_noise_excitation(problem.impulses, h), 1, 0);
-  const double first = source.next_impulse().waiting;
+  ImpulseSource source(white_noise_impulse_process(problem.impulses, h), 1, 0);
+  const double first = source.next_impulse().waiting_time;
   EXPECT_GT(first, 0);
   EXPECT_LT(first, h);
-  EXPECT_EQ(source.next_impulse().waiting, h);
+  EXPECT_EQ(source.next_impulse().waiting_time, h);
   const double mean = 2 * 0.1 * h;
   expect_mean([&] { return source.next_impulse().amplitude; }, mean, "E[Y]");
   expect_mean([&] { return std::pow(source.next_impulse().amplitude - mean, 2); }, 0.3 * h,
@@ -231,9 +231,9 @@ TEST(RandomBits, AreThoseOfPhilox) {
 }
 
 TEST(UniformNumbers, LieWithinZeroAndOneAndGoOnFromAnyNumber) {
-  const UniformNumbers all = uniform_numbers(3, 7, RandomNumberPurpose::start, 0),
-                       later = uniform_numbers(3, 7, RandomNumberPurpose::start, 4);
-  for (std::size_t k = 0; k < kBlockSize; ++k) {
+  const UniformRandomNumbers all = uniform_random_numbers(3, 7, RandomNumberPurpose::start, 0),
+                             later = uniform_random_numbers(3, 7, RandomNumberPurpose::start, 4);
+  for (std::size_t k = 0; k < kImpulsesPerBlock; ++k) {
     for (const double u : {all.first[k], all.second[k], all.third[k]}) {
       EXPECT_GT(u, 0);
       EXPECT_LT(u, 1);
@@ -248,16 +248,17 @@ TEST(UniformNumbers, LieWithinZeroAndOneAndGoOnFromAnyNumber) {
 TEST(ImpulseBlock, HasTheSameBitsForAnyInstructions) {
   for (const std::string& law : tests::law_names_without_table()) {
     const auto problem = tests::make_problem({.mean = 0.1, .law = law});
-    for (const auto& excitation :
-         {poisson_excitation(problem.impulses), white_noise_excitation(problem.impulses, 0.05)}) {
-      const UniformNumbers u = uniform_numbers(1, 2, RandomNumberPurpose::impulses, 32);
+    for (const auto& excitation : {poisson_impulse_process(problem.impulses),
+                                   white_noise_impulse_process(problem.impulses, 0.05)}) {
+      const UniformRandomNumbers u =
+          uniform_random_numbers(1, 2, RandomNumberPurpose::impulses, 32);
       const ImpulseBlock expected = baseline::make_impulse_block(excitation, u);
       for (const simd::SimdVariant& lanes : simd::available_simd_variants()) {
         const auto make =
             simd::select_variant(lanes.instructions, baseline::make_impulse_block,
                                  avx2::make_impulse_block, avx512::make_impulse_block);
         const ImpulseBlock block = make(excitation, u);
-        EXPECT_EQ(block.waiting, expected.waiting) << law;
+        EXPECT_EQ(block.waiting_time, expected.waiting_time) << law;
         EXPECT_EQ(block.amplitude, expected.amplitude) << law;
       }
     }

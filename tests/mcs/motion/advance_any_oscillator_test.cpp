@@ -17,19 +17,19 @@ namespace {
 constexpr double kBetweenSamples = 0.25;
 constexpr double kNoImpulse = std::numeric_limits<double>::infinity();
 
-using Kind = Oscillator::Kind;
+using Kind = SimulatedOscillator::Kind;
 
 /// Group of streams that start at given states and receive no impulses.
 struct FreeStreams {
-  MotionParameters motion;
+  StreamMotionParameters motion;
   BinFinder y{tests::uniform_edges(-4, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
-  std::deque<Stream> streams{};
+  std::deque<TrajectoryStream> streams{};
 
-  FreeStreams(const Oscillator& oscillator, const std::vector<State>& starts,
+  FreeStreams(const SimulatedOscillator& oscillator, const std::vector<OscillatorState>& starts,
               const NoiseKicks& kicks = {})
       : motion{.oscillator = oscillator,
                .kicks = kicks,
-               .step = kicks.is_present() ? 0.3 : 0.9,
+               .step = kicks.is_acting() ? 0.3 : 0.9,
                .sampling_interval = kBetweenSamples,
                .y_bins = nullptr,
                .v_bins = nullptr} {
@@ -41,10 +41,10 @@ struct FreeStreams {
                                     .amplitude = 0,
                                     .time_to_sample = kBetweenSamples / 2,
                                     .remaining = 0},
-                         .source = ImpulseSource(standard_normal_impulses(), 1, number),
-                         .record = StreamStatistics(y, v),
+                         .source = ImpulseSource(standard_normal_number_process(), 1, number),
+                         .record = TrajectoryStreamStatistics(y, v),
                          .noise = NoiseSource(1, number)});
-      if (kicks.is_present()) {
+      if (kicks.is_acting()) {
         streams.back().branch.kick_interval = kicks.longest_interval;
         streams.back().branch.time_to_kick = kicks.longest_interval / 2;
       }
@@ -56,14 +56,14 @@ struct FreeStreams {
                const simd::SimdVariant& lanes = simd::available_simd_variants().back()) {
     motion.y_bins = &y;
     motion.v_bins = &v;
-    std::vector<Stream*> pointers;
-    for (Stream& stream : streams) pointers.push_back(&stream);
+    std::vector<TrajectoryStream*> pointers;
+    for (TrajectoryStream& stream : streams) pointers.push_back(&stream);
     mcs::advance_all_streams(motion, pointers, time, lanes);
   }
-  const Stream& operator[](std::size_t s) const { return streams[s]; }
+  const TrajectoryStream& operator[](std::size_t s) const { return streams[s]; }
 };
 
-double acceleration(const Oscillator& o, double y, double v) {
+double acceleration(const SimulatedOscillator& o, double y, double v) {
   double force = 0, damping = 0;
   for (std::size_t n = o.force.size(); n-- > 0;) force = force * y + o.force[n];
   for (std::size_t n = o.damping.size(); n-- > 0;) damping = damping * y + o.damping[n];
@@ -71,23 +71,25 @@ double acceleration(const Oscillator& o, double y, double v) {
 }
 
 /// Integrates by the classical Runge-Kutta method.
-State state_by_runge_kutta(const Oscillator& o, State s, double time) {
+OscillatorState state_by_runge_kutta(const SimulatedOscillator& o, OscillatorState s, double time) {
   constexpr int kSteps = 20000;
   const double h = time / kSteps;
   for (int n = 0; n < kSteps; ++n) {
-    const auto slope = [&](const State& at) { return State{at.v, acceleration(o, at.y, at.v)}; };
-    const auto moved = [&](const State& by, double part) {
-      return State{s.y + part * h * by.y, s.v + part * h * by.v};
+    const auto slope = [&](const OscillatorState& at) {
+      return OscillatorState{at.v, acceleration(o, at.y, at.v)};
     };
-    const State a = slope(s), b = slope(moved(a, 0.5)), c = slope(moved(b, 0.5)),
-                d = slope(moved(c, 1));
+    const auto moved = [&](const OscillatorState& by, double part) {
+      return OscillatorState{s.y + part * h * by.y, s.v + part * h * by.v};
+    };
+    const OscillatorState a = slope(s), b = slope(moved(a, 0.5)), c = slope(moved(b, 0.5)),
+                          d = slope(moved(c, 1));
     s = {s.y + h / 6 * (a.y + 2 * b.y + 2 * c.y + d.y),
          s.v + h / 6 * (a.v + 2 * b.v + 2 * c.v + d.v)};
   }
   return s;
 }
 
-Oscillator full_oscillator() {
+SimulatedOscillator full_oscillator() {
   return {.force = {0.1, -0.7, 0.2, 0.5, -0.1, 0.3},
           .damping = {-0.1, 0.05, 0.2},
           .rayleigh = 0.1,
@@ -96,15 +98,16 @@ Oscillator full_oscillator() {
 
 // Every coefficient contributes: a wrong index or factor changes the first digits.
 TEST(AdvanceAnyOscillator, FollowsTheEquationWithAllItsTerms) {
-  Oscillator cubic{
+  SimulatedOscillator cubic{
       .force = {0.1, -0.7, 0.2, 0.5, 0, 0}, .damping = {-0.1, 0.05, 0.2}, .kind = Kind::cubic};
-  Oscillator linear{.force = {0.3, 1.5, 0, 0, 0, 0}, .damping = {0.2, 0, 0}, .kind = Kind::linear};
+  SimulatedOscillator linear{
+      .force = {0.3, 1.5, 0, 0, 0, 0}, .damping = {0.2, 0, 0}, .kind = Kind::linear};
   for (const auto& oscillator : {full_oscillator(), cubic, linear}) {
-    const std::vector<State> starts{{0.3, 0.9}, {-1.5, 0}, {0, 2.5}, {1.2, -1}};
+    const std::vector<OscillatorState> starts{{0.3, 0.9}, {-1.5, 0}, {0, 2.5}, {1.2, -1}};
     FreeStreams free(oscillator, starts);
     free.advance(7);
     for (std::size_t s = 0; s < starts.size(); ++s) {
-      const State exact = state_by_runge_kutta(oscillator, starts[s], 7);
+      const OscillatorState exact = state_by_runge_kutta(oscillator, starts[s], 7);
       EXPECT_NEAR(free[s].branch.y, exact.y, 1e-6);
       EXPECT_NEAR(free[s].branch.v, exact.v, 1e-6);
     }
@@ -113,14 +116,14 @@ TEST(AdvanceAnyOscillator, FollowsTheEquationWithAllItsTerms) {
 
 // The drift is far below sampling errors: it changes E[v^2] over one decay time only.
 TEST(AdvanceAnyOscillator, KeepsTheEnergyOfADoubleWell) {
-  const Oscillator well{.force = {0, -1, 0, 0.5, 0, 0.5}, .kind = Kind::full};
+  const SimulatedOscillator well{.force = {0, -1, 0, 0.5, 0, 0.5}, .kind = Kind::full};
   const auto energy = [](const TrajectoryBranch& b) {
     const double y2 = b.y * b.y;
     return b.v * b.v / 2 - y2 / 2 + y2 * y2 / 8 + y2 * y2 * y2 / 12;
   };
   FreeStreams free(well, {{0.5, 0.1}, {0, 0.01}, {0, 1}, {1, 2}});
   std::vector<double> before;
-  for (const Stream& stream : free.streams) before.push_back(energy(stream.branch));
+  for (const TrajectoryStream& stream : free.streams) before.push_back(energy(stream.branch));
   free.advance(1000);
   for (std::size_t s = 0; s < before.size(); ++s) {
     EXPECT_NEAR(energy(free[s].branch), before[s], 5e-6) << s;
@@ -129,7 +132,7 @@ TEST(AdvanceAnyOscillator, KeepsTheEnergyOfADoubleWell) {
 
 /// y'' = -(y - 1) with an elastic wall at 0. The motion of amplitude `a` extends slightly behind
 /// the wall.
-Oscillator oscillator_with_offset_wall() {
+SimulatedOscillator oscillator_with_offset_wall() {
   return {.force = {-1, 1, 0, 0, 0, 0},
           .left = {.exists = true, .position = 0, .restitution = 1, .contact_force = -1}};
 }
@@ -138,24 +141,24 @@ Oscillator oscillator_with_offset_wall() {
 TEST(AdvanceAnyOscillator, FindsImpactsWithinAFlight) {
   const double a = 1.01, u = std::sqrt(a * a - 1);
   const double period = 2 * std::acos(-1 / a);  // from impact to impact
-  std::vector<State> starts;
+  std::vector<OscillatorState> starts;
   for (int n = 5; n < 14; ++n) {
     starts.push_back({1 + a * std::cos(0.1 * n), -a * std::sin(0.1 * n)});
   }
   FreeStreams free(oscillator_with_offset_wall(), starts);
   free.advance(100 * period);
-  for (const Stream& stream : free.streams) {
+  for (const TrajectoryStream& stream : free.streams) {
     EXPECT_EQ(stream.record.impacts, 100);
     EXPECT_NEAR(stream.record.left_momentum, 100 * u, 1e-3);
     EXPECT_NEAR(stream.record.left_energy, 100 * u * u, 1e-3);
   }
   // The mirror image of this motion, with the wall on the other side.
-  Oscillator mirrored{
+  SimulatedOscillator mirrored{
       .force = {-1, 1, 0, 0, 0, 0},
       .right = {.exists = true, .position = 2, .restitution = 1, .contact_force = -1}};
   FreeStreams right(mirrored, starts);
   right.advance(100 * period);
-  for (const Stream& stream : right.streams) {
+  for (const TrajectoryStream& stream : right.streams) {
     EXPECT_EQ(stream.record.impacts, 100);
     EXPECT_NEAR(stream.record.right_momentum, 100 * u, 1e-3);
     EXPECT_EQ(stream.record.left_momentum, 0);
@@ -164,13 +167,13 @@ TEST(AdvanceAnyOscillator, FindsImpactsWithinAFlight) {
 
 TEST(AdvanceAnyOscillator, MovesBetweenTwoWalls) {
   const double u = 0.8, r = 0.5, s = 0.75, b = 1.5;
-  Oscillator box{.left = {.exists = true, .position = 0, .restitution = r},
-                 .right = {.exists = true, .position = b, .restitution = s}};
+  SimulatedOscillator box{.left = {.exists = true, .position = 0, .restitution = r},
+                          .right = {.exists = true, .position = b, .restitution = s}};
   FreeStreams free(box, {{0, u}});
   // The times are b/u to the right, b/(s u) back, b/(r s u) to the right again, and half of the way
   // back.
   free.advance(b / u * (1 + 1 / s + 1 / (r * s) + 0.5 / (r * s * s)));
-  const Stream& stream = free[0];
+  const TrajectoryStream& stream = free[0];
   EXPECT_EQ(stream.record.impacts, 3);
   EXPECT_NEAR(stream.branch.y, b / 2, 1e-12);
   EXPECT_NEAR(stream.branch.v, -u * r * s * s, 1e-12);
@@ -179,7 +182,7 @@ TEST(AdvanceAnyOscillator, MovesBetweenTwoWalls) {
 }
 
 /// Returns the oscillator of a ball on a floor, with the gravitational acceleration 1.
-Oscillator ball_on_floor(double r, double rest_speed) {
+SimulatedOscillator ball_on_floor(double r, double rest_speed) {
   return {.force = {1, 0, 0, 0, 0, 0},
           .left = {.exists = true,
                    .position = 0,
@@ -195,7 +198,7 @@ TEST(AdvanceAnyOscillator, ComesToRestAfterInfinitelyManyBounces) {
   for (const double rest_speed : {1e-1, 1e-4}) {
     FreeStreams free(ball_on_floor(r, rest_speed), {{u * u / 2, 0}, {u * u / 2, 0}});
     free.advance(time);
-    const StreamStatistics& record = free[0].record;
+    const TrajectoryStreamStatistics& record = free[0].record;
     const double to_rest = u * (1 + r) / (1 - r);
     EXPECT_EQ(free[0].branch.y, 0);
     EXPECT_EQ(free[0].branch.v, 0);
@@ -207,7 +210,7 @@ TEST(AdvanceAnyOscillator, ComesToRestAfterInfinitelyManyBounces) {
     EXPECT_EQ(in_bins + record.rest_left, record.samples);
   }
   // The mirrored problem is a ball that a force presses against a ceiling.
-  Oscillator up{
+  SimulatedOscillator up{
       .force = {-1, 0, 0, 0, 0, 0},
       .right = {
           .exists = true, .position = 3, .restitution = r, .contact_force = 1, .rest_speed = 1e-4}};
@@ -233,11 +236,11 @@ TEST(AdvanceAnyOscillator, LeavesRestByAnImpulseEitherWay) {
 }
 
 TEST(AdvanceAnyOscillator, GivesTheSameBitsForAnyWidthAndInstructions) {
-  Oscillator walls = full_oscillator();
+  SimulatedOscillator walls = full_oscillator();
   walls.left = {
       .exists = true, .position = 0, .restitution = 0.8, .contact_force = 0.1, .rest_speed = 1e-4};
   walls.right = {.exists = true, .position = 1.5, .restitution = 0.7, .contact_force = -1};
-  std::vector<State> starts;
+  std::vector<OscillatorState> starts;
   for (int s = 0; s < 11; ++s) starts.push_back({0.1 * s, 1 - 0.2 * s});
   const NoiseKicks noise{.diffusion = 0.1,
                          .damping = 0.2,
@@ -264,16 +267,16 @@ TEST(AdvanceAnyOscillator, GivesTheSameBitsForAnyWidthAndInstructions) {
 }
 
 TEST(AdvanceAnyOscillator, KicksSoonAfterOneNearAWallThatTakesEnergy) {
-  MotionParameters motion{.oscillator = oscillator_with_offset_wall(),
-                          .kicks = {.diffusion = 0.5,
-                                    .damping = 0,
-                                    .longest_interval = 0.2,
-                                    .shortest_interval = 1e-6,
-                                    .has_lossy_wall = true},
-                          .step = 0.3,
-                          .sampling_interval = 1,
-                          .y_bins = nullptr,
-                          .v_bins = nullptr};
+  StreamMotionParameters motion{.oscillator = oscillator_with_offset_wall(),
+                                .kicks = {.diffusion = 0.5,
+                                          .damping = 0,
+                                          .longest_interval = 0.2,
+                                          .shortest_interval = 1e-6,
+                                          .has_lossy_wall = true},
+                                .step = 0.3,
+                                .sampling_interval = 1,
+                                .y_bins = nullptr,
+                                .v_bins = nullptr};
   const auto next = [&](double y, double v) {
     return time_to_next_kick(motion, motion.kicks.diffusion, y, v);
   };

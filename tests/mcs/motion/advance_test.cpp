@@ -17,9 +17,9 @@ constexpr double kStep = 0.9;
 constexpr double kInterval = 0.25;
 
 struct Group {
-  Oscillator oscillator;
+  SimulatedOscillator oscillator;
   BinFinder y{tests::uniform_edges(0, 4, 50)}, v{tests::uniform_edges(-5, 5, 50)};
-  std::deque<Stream> streams{};
+  std::deque<TrajectoryStream> streams{};
 
   explicit Group(const problem::Problem& problem, int count = 11)
       : oscillator(tests::oscillator_of(problem)) {
@@ -28,18 +28,18 @@ struct Group {
       const Impulse first = source.next_impulse();
       streams.push_back({.branch = {.y = 0.1 * s,
                                     .v = 1 - 0.2 * s,
-                                    .time_to_impulse = first.waiting,
+                                    .time_to_impulse = first.waiting_time,
                                     .amplitude = first.amplitude,
                                     .time_to_sample = kInterval / 2,
                                     .remaining = 0},
                          .source = source,
-                         .record = StreamStatistics(y, v)});
+                         .record = TrajectoryStreamStatistics(y, v)});
     }
   }
 
   void advance(double time, const simd::SimdVariant& lanes) {
-    std::vector<Stream*> pointers;
-    for (Stream& stream : streams) pointers.push_back(&stream);
+    std::vector<TrajectoryStream*> pointers;
+    for (TrajectoryStream& stream : streams) pointers.push_back(&stream);
     mcs::advance_all_streams({.oscillator = oscillator,
                               .step = kStep,
                               .sampling_interval = kInterval,
@@ -69,7 +69,7 @@ TEST(Advance, GivesTheSameBitsForAnyWidthAndInstructions) {
       Group group(start);
       group.advance(300, lanes);
       for (std::size_t s = 0; s < group.streams.size(); ++s) {
-        const Stream &a = reference.streams[s], &b = group.streams[s];
+        const TrajectoryStream &a = reference.streams[s], &b = group.streams[s];
         EXPECT_EQ(a.branch.y, b.branch.y);
         EXPECT_EQ(a.branch.v, b.branch.v);
         EXPECT_EQ(a.record.powers, b.record.powers);
@@ -86,13 +86,13 @@ TEST(Advance, GivesTheSameBitsForAnyWidthAndInstructions) {
   }
 }
 
-/// Computes the sums of a StreamStatistics from the scalar trajectory.
+/// Computes the sums of a TrajectoryStreamStatistics from the scalar trajectory.
 struct Tally {
   double time_to_sample = kInterval / 2;
   double samples = 0, yyv = 0, impacts = 0, impact_speed = 0, impact_energy = 0, work = 0;
   void on_flight(const tests::Flight& flight, double duration) {
     for (; time_to_sample < duration; time_to_sample += kInterval) {
-      const State at = flight.state_at_time(time_to_sample);
+      const OscillatorState at = flight.state_at_time(time_to_sample);
       yyv += at.y * at.y * at.v;
       ++samples;
     }
@@ -118,7 +118,7 @@ TEST(Advance, AgreesWithTheScalarTrajectory) {
                                  {0.1 * n, 1 - 0.2 * n}, kStep);
     Tally tally;
     trajectory.advance(kTime, tally);
-    const Stream& stream = group.streams[s];
+    const TrajectoryStream& stream = group.streams[s];
     EXPECT_NEAR(stream.branch.y, trajectory.state().y, 1e-9);
     EXPECT_NEAR(stream.branch.v, trajectory.state().v, 1e-9);
     EXPECT_NEAR(stream.record.powers[6], tally.yyv, 1e-9);  // y^2 v
@@ -140,7 +140,7 @@ double sum_of_elements(const std::vector<double>& sums) {
 TEST(Advance, CountsOneMaximumMoreThanMinimaFromImpactToImpact) {
   Group group(tests::paper_case(1));
   group.advance(3000, simd::available_simd_variants().back());
-  for (const Stream& stream : group.streams) {
+  for (const TrajectoryStream& stream : group.streams) {
     EXPECT_GT(sum_of_elements(stream.record.troughs), 10);
     EXPECT_NEAR(sum_of_elements(stream.record.peaks) - sum_of_elements(stream.record.troughs),
                 stream.record.impacts, 1);
@@ -160,7 +160,7 @@ TEST(Advance, EndsAfterABoundedNumberOfFlightsAtStrongLossesAndRest) {
                                          .mean = mean * std::sqrt(0.1)}));
         const double time = tests::part_unless_thorough(40, 200) / std::min(rate, 1.0);
         group.advance(time, simd::available_simd_variants().back());
-        for (const Stream& stream : group.streams) {
+        for (const TrajectoryStream& stream : group.streams) {
           const auto impulses = static_cast<double>(stream.record.impulses);
           EXPECT_LE(stream.record.impacts, time * 2 + impulses);
           EXPECT_LT(static_cast<double>(stream.record.flights), 10 * time + 4 * impulses);

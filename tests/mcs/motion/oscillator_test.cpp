@@ -9,7 +9,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-using Kind = Oscillator::Kind;
+using Kind = SimulatedOscillator::Kind;
 
 Kind kind_of(const problem::SystemCoefficients& coefficients,
              const problem::WallParameters& walls = {}) {
@@ -20,7 +20,7 @@ Kind kind_of(const problem::SystemCoefficients& coefficients,
 
 TEST(Oscillator, OfTheProblemHasItsMechanics) {
   const auto problem = tests::make_problem({.damping = 0.3, .restitution = 0.7});
-  const Oscillator oscillator = make_oscillator(problem, problem::motion_scales(problem));
+  const SimulatedOscillator oscillator = make_oscillator(problem, problem::motion_scales(problem));
   EXPECT_EQ(oscillator.damping[0], 0.3);
   EXPECT_TRUE(oscillator.left.exists);
   EXPECT_FALSE(oscillator.right.exists);

@@ -16,7 +16,7 @@ using tests::Flight;
 using tests::NullObserver;
 using tests::Trajectory;
 
-constexpr double kAutomaticStep = 0.9;
+constexpr double kAutomaticStepInRadians = 0.9;
 // A rate so small that no impulse arrives in a test.
 constexpr double kNever = 1e-12;
 
@@ -41,12 +41,12 @@ struct Chronicle {
   }
 };
 
-Trajectory make_trajectory(const problem::Problem& problem, const State& start,
-                           double step = kAutomaticStep) {
+Trajectory make_trajectory(const problem::Problem& problem, const OscillatorState& start,
+                           double step = kAutomaticStepInRadians) {
   return {tests::oscillator_of(problem), ImpulseSource(problem.impulses, 5, 0), start, step};
 }
 
-double total_energy(const problem::System& system, const State& s) {
+double total_energy(const problem::System& system, const OscillatorState& s) {
   return s.v * s.v / 2 + system.potential()(s.y);
 }
 
@@ -77,7 +77,7 @@ TEST(Trajectory, AnImpactTakesItsShareOfTheEnergyAndTurnsTheVelocity) {
   const auto problem =
       tests::make_problem({.cubic = 1, .restitution = r, .rate = kNever, .intensity = kNever});
   // From just above the wall: the damping before and after the impact is negligible.
-  const State start{1e-9, -2};
+  const OscillatorState start{1e-9, -2};
   Trajectory trajectory = make_trajectory(problem, start);
   Chronicle seen;
   trajectory.advance(1e-8, seen);
@@ -93,7 +93,7 @@ TEST(Trajectory, SatisfiesTheEnergyBalance) {
   // Balance of the energy: d/dt E = -c v^2 along flights, integrated by Simpson's rule, and the
   // energy changes at impulses and impacts.
   struct Ledger {
-    const Oscillator& oscillator;
+    const SimulatedOscillator& oscillator;
     double balance = 0, dissipated = 0;
     void on_flight(const Flight& flight, double duration) {
       const auto v2 = [&](double s) {
@@ -114,11 +114,12 @@ TEST(Trajectory, SatisfiesTheEnergyBalance) {
     void on_impulse(double v, double amplitude) { balance += amplitude * (v + amplitude / 2); }
   };
   const auto problem = tests::make_problem({.cubic = 1, .restitution = 0.9, .intensity = 1});
-  const Oscillator oscillator = tests::oscillator_of(problem);
-  const State start{0.5, 1.0};
-  Trajectory trajectory(oscillator, ImpulseSource(problem.impulses, 5, 0), start, kAutomaticStep);
+  const SimulatedOscillator oscillator = tests::oscillator_of(problem);
+  const OscillatorState start{0.5, 1.0};
+  Trajectory trajectory(oscillator, ImpulseSource(problem.impulses, 5, 0), start,
+                        kAutomaticStepInRadians);
   Ledger ledger{oscillator};
-  const auto energy_of = [&](const State& s) { return total_energy(problem.system, s); };
+  const auto energy_of = [&](const OscillatorState& s) { return total_energy(problem.system, s); };
   for (int k = 0; k < 20; ++k) {
     trajectory.advance(50.0, ledger);
     // The step limit gives errors of 1e-6 of the dissipation in this case.
@@ -137,7 +138,7 @@ TEST(Trajectory, ImpulsesArriveAtTheTimesOfTheSourceWithItsAmplitudes) {
   ASSERT_GT(seen.impulses.size(), 300u);
   for (const auto& impulse : seen.impulses) {
     const Impulse expected = source.next_impulse();
-    time += expected.waiting;
+    time += expected.waiting_time;
     EXPECT_NEAR(impulse.time, time, 1e-11);
     EXPECT_EQ(impulse.amplitude, expected.amplitude);
   }

@@ -25,18 +25,18 @@ class Checkpoint : public testing::Test {
   Checkpoint() { std::filesystem::create_directories(directory_); }
   ~Checkpoint() override { std::filesystem::remove_all(directory_); }
 
-  Options brief(bool tails) const {
+  SimulationOptions brief(bool tails) const {
     return {.time = tails ? 3e3 : 2e4, .accuracy = 0.1, .streams = 10, .tails = tails};
   }
-  Result interrupted(Options options) const {
+  SimulationResult interrupted(SimulationOptions options) const {
     options.checkpoint = file_;
     int rounds = 0;
     options.stop = [&] { return ++rounds == 3; };
-    return solve(problem_, options);
+    return simulate_stationary_density(problem_, options);
   }
-  void expect_refused(const Options& options, const std::string& why) const {
+  void expect_refused(const SimulationOptions& options, const std::string& why) const {
     try {
-      solve(problem_, options);
+      simulate_stationary_density(problem_, options);
       FAIL() << "went on from a checkpoint: " << why;
     } catch (const InputError& error) {
       const std::string message = error.what();
@@ -57,9 +57,9 @@ TEST_F(Checkpoint, IsNotWrittenDuringShutdown) {
   const auto wait_in_vain = [&] {
     base::wait_and_block_other_writers();
     std::thread([&] {
-      Options options = brief(false);
+      SimulationOptions options = brief(false);
       options.checkpoint = file_;
-      solve(problem_, options);
+      simulate_stationary_density(problem_, options);
     }).detach();
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     std::_Exit(std::filesystem::is_empty(directory_) ? 0 : 1);
@@ -71,12 +71,12 @@ TEST_F(Checkpoint, IsNotWrittenDuringShutdown) {
 TEST_F(Checkpoint, ResumesWithTheSameBits) {
   for (const bool tails : {false, true}) {
     SCOPED_TRACE(tails);
-    Options options = brief(tails);
-    const Result whole = solve(problem_, options);
+    SimulationOptions options = brief(tails);
+    const SimulationResult whole = simulate_stationary_density(problem_, options);
     EXPECT_EQ(interrupted(options).summary.rounds, 3u);
     options.resume = file_;
     options.threads = 3;
-    const Result resumed = solve(problem_, options);
+    const SimulationResult resumed = simulate_stationary_density(problem_, options);
     EXPECT_EQ(resumed.summary.rounds, whole.summary.rounds);
     EXPECT_EQ(std::get<transform::GridDensity>(*resumed.solution.density).averages,
               std::get<transform::GridDensity>(*whole.solution.density).averages);
@@ -92,7 +92,7 @@ TEST_F(Checkpoint, ResumesWithTheSameBits) {
 TEST_F(Checkpoint, OfAnotherSimulationIsRefused) {
   interrupted(brief(false));
   const auto refused = [&](auto change) {
-    Options options = brief(false);
+    SimulationOptions options = brief(false);
     options.resume = file_;
     change(options);
     expect_refused(options, "another simulation");
@@ -114,18 +114,18 @@ TEST_F(Checkpoint, OfAnotherSkewnessIsRefused) {
         {.arrival_rate = 1, .law = "gamma", .intensity = 0.1, .mean = 0, .skewness = skewness});
   };
   problem_.impulses = under(0.8);
-  Options options = brief(false);
+  SimulationOptions options = brief(false);
   interrupted(options);
   options.resume = file_;
   problem_.impulses = under(0.9);
   expect_refused(options, "another simulation");
   problem_.impulses = under(0.8);
-  EXPECT_EQ(solve(problem_, options).solution.status, transform::Status::ok);
+  EXPECT_EQ(simulate_stationary_density(problem_, options).solution.status, transform::Status::ok);
 }
 
 TEST_F(Checkpoint, ThatIsDamagedIsRefused) {
   interrupted(brief(false));
-  Options options = brief(false);
+  SimulationOptions options = brief(false);
   options.resume = file_;
   const auto size = std::filesystem::file_size(file_);
   {
@@ -147,7 +147,7 @@ TEST_F(Checkpoint, OfAnEarlierVersionIsRefused) {
   std::fstream file(file_, std::ios::in | std::ios::out | std::ios::binary);
   file.seekp(static_cast<std::streamoff>(kCheckpointFormatLine.find('7')));
   file.put('4').flush();
-  Options options = brief(false);
+  SimulationOptions options = brief(false);
   options.resume = file_;
   expect_refused(options, "no checkpoint of this version of fpkcheck mcs: its first line differs");
 }
@@ -166,7 +166,7 @@ TEST_F(Checkpoint, OfImpossibleNumbersIsRefusedWhateverItsChecksum) {
   const std::string text = whole.substr(0, whole.size() - sizeof(std::uint64_t));
   // After the second line: number of rounds, y, y', time to the next impulse, ..
   const std::size_t numbers = text.find('\n', text.find('\n') + 1) + 1;
-  Options options = brief(false);
+  SimulationOptions options = brief(false);
   options.resume = file_;
   const auto with = [&](std::size_t place, auto number) {
     std::string changed = text;
@@ -174,7 +174,7 @@ TEST_F(Checkpoint, OfImpossibleNumbersIsRefusedWhateverItsChecksum) {
     return changed;
   };
   write_with_checksum(text);
-  EXPECT_NO_THROW(solve(problem_, options));
+  EXPECT_NO_THROW(simulate_stationary_density(problem_, options));
   write_with_checksum(with(0, ~std::uint64_t{0}));
   expect_refused(options, "impossible");
   for (const double number : {HUGE_VAL, -HUGE_VAL, std::nan(""), 1e300, -1e300}) {
@@ -195,7 +195,7 @@ TEST_F(Checkpoint, OfImpossibleNumbersIsRefusedWhateverItsChecksum) {
 }
 
 TEST_F(Checkpoint, ThatCanNeverBeWrittenIsRefusedBeforeAnythingIsSolved) {
-  Options options = brief(true);
+  SimulationOptions options = brief(true);
   options.progress = [](const SimulationProgress&) { FAIL() << "solved something"; };
   const auto refused = [&](const std::string& path) {
     file_ = path;
@@ -214,13 +214,13 @@ TEST_F(Checkpoint, ThatCanNeverBeWrittenIsRefusedBeforeAnythingIsSolved) {
 }
 
 TEST_F(Checkpoint, WriteErrorsAreWarningsOnly) {
-  Options options = brief(false);
-  const Result expected = solve(problem_, options);
+  SimulationOptions options = brief(false);
+  const SimulationResult expected = simulate_stationary_density(problem_, options);
   std::vector<std::string> told;
   options.checkpoint = file_;
   options.progress = [&](const SimulationProgress&) { std::filesystem::remove_all(directory_); };
   options.warn = [&](const std::string& warning) { told.push_back(warning); };
-  const Result result = solve(problem_, options);
+  const SimulationResult result = simulate_stationary_density(problem_, options);
   EXPECT_EQ(result.solution.status, transform::Status::ok);
   EXPECT_EQ(result.solution.moments.y4, expected.solution.moments.y4);
   ASSERT_EQ(told.size(), 1u);
@@ -237,11 +237,11 @@ TEST_F(Checkpoint, RetriesAfterAWriteError) {
   const SimulationPlan plan = make_simulation_plan(problem_, brief(false));
   Simulation simulation(problem_, plan);
   std::filesystem::create_directory(file_);
-  writer.write("same", simulation);
-  writer.write("same", simulation);
+  writer.write_checkpoint_now("same", simulation);
+  writer.write_checkpoint_now("same", simulation);
   EXPECT_EQ(told.size(), 1u);
   std::filesystem::remove(file_);
-  writer.write_final("same", simulation);
+  writer.write_final_checkpoint("same", simulation);
   EXPECT_EQ(told.size(), 1u);
   EXPECT_NO_THROW(read_checkpoint(file_, "same", simulation));
   EXPECT_THROW(read_checkpoint(file_, "another", simulation), InputError);

@@ -43,13 +43,13 @@ TEST(BinFinder, CountsDistantNumbersInTheOuterBins) {
 }
 
 TEST(BinFinder, DetectsEvenEdges) {
-  EXPECT_TRUE(BinFinder({0, 0.1, 0.2, 0.3}).is_evenly_spaced());
-  EXPECT_FALSE(BinFinder({0, 0.1, 0.2, 0.31}).is_evenly_spaced());
+  EXPECT_TRUE(BinFinder({0, 0.1, 0.2, 0.3}).has_evenly_spaced_bins());
+  EXPECT_FALSE(BinFinder({0, 0.1, 0.2, 0.31}).has_evenly_spaced_bins());
 }
 
 TEST(Histogram, CountsEverySample) {
   const BinFinder y({0, 1, 2}), v({-1, 0, 1});
-  Histogram histogram(y, v);
+  JointHistogram histogram(y, v);
   const auto add = [&](double at_y, double at_v) { histogram.add(y(at_y), v(at_v), 0.5); };
   add(0.5, 0.5);
   add(1.5, -0.5);

@@ -17,7 +17,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-Stream make_stream(const problem::Problem& problem, double y, double v) {
+TrajectoryStream make_stream(const problem::Problem& problem, double y, double v) {
   const BinFinder bins({0, 1});
   return {.branch = {.y = y,
                      .v = v,
@@ -26,7 +26,7 @@ Stream make_stream(const problem::Problem& problem, double y, double v) {
                      .time_to_sample = 1,
                      .remaining = 1},
           .source = ImpulseSource(problem.impulses, 1, 0),
-          .record = StreamStatistics(bins, bins)};
+          .record = TrajectoryStreamStatistics(bins, bins)};
 }
 
 /// Resumes every branch of a stream without advancing the branch, and computes the number and the
@@ -35,11 +35,11 @@ struct Followed {
   std::size_t branches = 1;
   double weight = 0;
 
-  Followed(const ImportanceSplitting& splitting, Stream& stream)
-      : weight(splitting.branch_weight(stream.branch)) {
+  Followed(const ImportanceSplitting& splitting, TrajectoryStream& stream)
+      : weight(splitting.branch_statistical_weight(stream.branch)) {
     for (; !stream.is_on_main_branch(); ++branches) {
       resume_pending_branch(stream);
-      weight += splitting.branch_weight(stream.branch);
+      weight += splitting.branch_statistical_weight(stream.branch);
     }
   }
 };
@@ -52,10 +52,10 @@ TEST(ImportanceSplitting, MakesFourBranchesForOneAboveEachEnergy) {
   for (std::size_t threshold_count = 0; threshold_count < copies.size(); ++threshold_count) {
     const ImportanceSplitting splitting(problem.system.potential(), thresholds[threshold_count],
                                         100);
-    Stream stream = make_stream(problem, 1, 1);
+    TrajectoryStream stream = make_stream(problem, 1, 1);
     splitting.split_initial_state(stream);
     EXPECT_EQ(stream.branch.energy_level, static_cast<int>(threshold_count));
-    EXPECT_EQ(splitting.branch_weight(stream.branch),
+    EXPECT_EQ(splitting.branch_statistical_weight(stream.branch),
               1 / static_cast<double>(copies[threshold_count]));
     const Followed all(splitting, stream);
     EXPECT_EQ(all.branches, copies[threshold_count]);
@@ -66,10 +66,10 @@ TEST(ImportanceSplitting, MakesFourBranchesForOneAboveEachEnergy) {
 TEST(ImportanceSplitting, EndsABranchThatFallsBelowTheEnergyThatMadeIt) {
   const auto problem = tests::make_problem({.cubic = 4});
   const ImportanceSplitting splitting(problem.system.potential(), {1.9}, 100);
-  Stream stream = make_stream(problem, 1, 1);
+  TrajectoryStream stream = make_stream(problem, 1, 1);
   splitting.split_initial_state(stream);
   stream.branch.v = 0;  // E = 1.5
-  splitting.split_or_end_branch(stream);
+  splitting.split_or_end_branch_by_energy(stream);
   EXPECT_EQ(stream.branch.energy_level, 1);  // energy level of the next branch
   EXPECT_EQ(Followed(splitting, stream).branches, 3u);
 }
@@ -77,7 +77,7 @@ TEST(ImportanceSplitting, EndsABranchThatFallsBelowTheEnergyThatMadeIt) {
 TEST(ImportanceSplitting, BranchesGoOnBouncingWhereTheyBegan) {
   const auto problem = tests::make_problem({.cubic = 4});
   const ImportanceSplitting splitting(problem.system.potential(), {1.9}, 100);
-  Stream stream = make_stream(problem, 1, 1);
+  TrajectoryStream stream = make_stream(problem, 1, 1);
   stream.branch.time_to_rest = 0.25;
   splitting.split_initial_state(stream);
   ASSERT_FALSE(stream.is_on_main_branch());
@@ -95,7 +95,7 @@ TEST(ImportanceSplitting, AnImpulseAcrossManyEnergiesMakes64Branches) {
   std::vector<double> thresholds;
   for (int i = 0; i < 12; ++i) thresholds.push_back(0.1 * (i + 1));
   const ImportanceSplitting splitting(problem.system.potential(), thresholds, 100);
-  Stream stream = make_stream(problem, 1, 0);
+  TrajectoryStream stream = make_stream(problem, 1, 0);
   stream.branch.v = 1;  // E = 2
   splitting.split_initial_state(stream);
   EXPECT_EQ(stream.branch.energy_level, 12);
@@ -119,7 +119,7 @@ struct Walk {
     boost::random::mt19937_64 engine(seed);
     boost::random::uniform_01<double> unit;
     const auto problem = tests::make_problem({});
-    Stream stream = make_stream(problem, 0, 0);
+    TrajectoryStream stream = make_stream(problem, 0, 0);
     stream.branch.remaining = steps;
     splitting.split_initial_state(stream);
     for (;;) {
@@ -130,13 +130,13 @@ struct Walk {
         continue;
       }
       branch.remaining -= 1;
-      const double counted = splitting.branch_weight(branch) / steps;
+      const double counted = splitting.branch_statistical_weight(branch) / steps;
       weight += counted;
       for (std::size_t k = 0; k < above.size(); ++k)
         above[k] += branch.v > kSpeeds[k] ? counted : 0;
       branch.v = 0.8 * branch.v - (unit(engine) < 0.2 ? std::log(1 - unit(engine)) : 0);
       ++(stream.is_on_main_branch() ? stream.record.impulses : stream.record.branch_impulses);
-      splitting.split_or_end_branch(stream);
+      splitting.split_or_end_branch_by_energy(stream);
       most_waiting = std::max(most_waiting, stream.pending_branches.size());
     }
     impulses = stream.record.impulses;
@@ -149,7 +149,7 @@ struct Walks {
   std::array<MeanEstimate, Walk::kSpeeds.size()> above{};
   std::size_t most_waiting = 0;
   double most_for_one =
-      0;  // branch impulses per impulse of the main branch, beyond kImpulseAllowance
+      0;  // branch impulses per impulse of the main branch, beyond kBranchImpulseAllowance
 
   Walks(const std::vector<double>& thresholds, int count, int steps) {
     const ImportanceSplitting splitting(numerics::Polynomial({0, 0, 0.5}), thresholds, 1e4);
@@ -161,7 +161,7 @@ struct Walks {
       for (std::size_t i = 0; i < all.size(); ++i) all[i].push_back(walk.above[i]);
       most_waiting = std::max(most_waiting, walk.most_waiting);
       const double beyond = static_cast<double>(walk.branch_impulses) -
-                            static_cast<double>(ImportanceSplitting::kImpulseAllowance);
+                            static_cast<double>(ImportanceSplitting::kBranchImpulseAllowance);
       most_for_one = std::max(most_for_one, beyond / static_cast<double>(walk.impulses));
     }
     weight = estimate_unweighted_mean(weights);
@@ -184,9 +184,9 @@ TEST(ImportanceSplitting, IsUnbiasedWithinItsBoundsWhereverTheThresholdsAre) {
     SCOPED_TRACE(thresholds == close ? "close" : "apart");
     const Walks split(thresholds, 100, 1000);
     EXPECT_LE(split.most_waiting, 12u * 15u / 2);
-    EXPECT_LT(split.most_for_one, 1.1 * 12 * ImportanceSplitting::kImpulsesPerThreshold);
+    EXPECT_LT(split.most_for_one, 1.1 * 12 * ImportanceSplitting::kBranchImpulsesPerThreshold);
     if (thresholds == close) {  // the bound is active
-      EXPECT_GT(split.most_for_one, 0.8 * 12 * ImportanceSplitting::kImpulsesPerThreshold);
+      EXPECT_GT(split.most_for_one, 0.8 * 12 * ImportanceSplitting::kBranchImpulsesPerThreshold);
     }
     tests::expect_within_four_errors(split.weight.mean, 1, split.weight.standard_error, "all");
     for (std::size_t i = 0; i < split.above.size(); ++i) {

@@ -62,13 +62,13 @@ TEST_F(ExternalDensities, ReproduceTheFunction) {
   const auto y = transform::marginal(own, StateVariable::y, axes_.y_edges);
   // The average over a bin differs from the density at its centre.
   for (const std::size_t b : {0, 20, 70}) {
-    EXPECT_NEAR(y.density[b] / exact_.displacement_marginal(y.centre(b)), 1, 3e-3);
+    EXPECT_NEAR(y.density[b] / exact_.displacement_marginal(y.bin_centre(b)), 1, 3e-3);
   }
 }
 
 TEST_F(ExternalDensities, AreClosuresWithABudgetIfTheirEquationIsGiven) {
   const Function p = [&](double y, double v) { return exact_(y, v); };
-  auto methods = builtin_registry().select_methods("fd-white,fd-kf", {});
+  auto methods = builtin_registry().methods_selected_by_list("fd-white,fd-kf", {});
   methods.insert(methods.begin(), of(p, {.label = "nobody"}));
   methods.insert(methods.begin() + 1,
                  of(p, {.label = "own", .equation = DensityEquation::white}, {.accuracy = 1}));
@@ -84,8 +84,8 @@ TEST_F(ExternalDensities, AreClosuresWithABudgetIfTheirEquationIsGiven) {
   ASSERT_EQ(one.budget.size(), 2u);
   for (const auto& row : one.budget) {
     EXPECT_EQ(row.solution, "own");
-    EXPECT_LT(row.find("closure")->l1, 1e-4);
-    EXPECT_GT(row.find("white noise")->l1, 0.01);
+    EXPECT_LT(row.find_budget_part("closure")->l1, 1e-4);
+    EXPECT_GT(row.find_budget_part("white noise")->l1, 0.01);
   }
   EXPECT_FALSE(builtin_registry().method_for_solution(own, {}));
 }

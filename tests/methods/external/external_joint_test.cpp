@@ -63,7 +63,8 @@ class JointDensityFiles : public testing::Test {
 
   results::CaseResult case_with(const std::vector<std::string>& arguments) const {
     std::vector<transform::Solution> all;
-    for (const auto& method : read_external_methods(arguments, builtin_registry(), problem_.name)) {
+    for (const auto& method :
+         external_density_methods_from_files(arguments, builtin_registry(), problem_.name)) {
       method.check ? method.check(problem_) : void();
       all.push_back(solve_with_method(method, problem_, {axes_, {}}));
     }
@@ -98,11 +99,11 @@ TEST_F(JointDensityFiles, WithAnEquationHaveABudget) {
     const auto apart = [&](const char* a, const char* b) {
       return *one.l1_distance(a, b, row.variable);
     };
-    EXPECT_LT(row.find("closure")->l1, 2e-4);
-    EXPECT_DOUBLE_EQ(row.find("impact")->l1, apart("fd-km4-delta", "fd-km4"));
-    EXPECT_DOUBLE_EQ(row.find("truncation")->l1, apart("fd-km4", "fd-kf"));
-    EXPECT_GT(row.find("truncation")->l1, 1e-5);
-    EXPECT_EQ(row.find("closure")->to, "fd-km4-delta");
+    EXPECT_LT(row.find_budget_part("closure")->l1, 2e-4);
+    EXPECT_DOUBLE_EQ(row.find_budget_part("impact")->l1, apart("fd-km4-delta", "fd-km4"));
+    EXPECT_DOUBLE_EQ(row.find_budget_part("truncation")->l1, apart("fd-km4", "fd-kf"));
+    EXPECT_GT(row.find_budget_part("truncation")->l1, 1e-5);
+    EXPECT_EQ(row.find_budget_part("closure")->to, "fd-km4-delta");
   }
   EXPECT_EQ(std::ranges::count(one.budget, "mine", &compare::ErrorBudgetRow::solution), 2);
 }
@@ -125,8 +126,8 @@ TEST_F(JointDensityFiles, WithExactImpactsHaveTheChainOfTheMap) {
   const auto one = case_with({points_of("fd-km4", "mine.csv") + ",equation=km4,impact=exact"});
   EXPECT_EQ(transform::equation_and_impact_text(one.solutions.front().identity), "km4/exact");
   EXPECT_EQ(one.budget.front().solution, "mine");
-  EXPECT_EQ(one.budget.front().find("impact"), nullptr);
-  EXPECT_EQ(one.budget.front().find("closure")->to, "fd-km4");
+  EXPECT_EQ(one.budget.front().find_budget_part("impact"), nullptr);
+  EXPECT_EQ(one.budget.front().find_budget_part("closure")->to, "fd-km4");
 }
 
 TEST_F(JointDensityFiles, OfARunReproduceItsDensities) {
@@ -201,8 +202,8 @@ TEST_F(JointDensityFiles, MayBeClosedForms) {
 }
 
 TEST_F(JointDensityFiles, MayBeTheClosedFormOfASummary) {
-  const epc::Options options{.order = 6};
-  auto solved = epc::solve(tests::paper_case(2), options).solution;
+  const epc::ClosureOptions options{.order = 6};
+  auto solved = epc::solve_closure(tests::paper_case(2), options).solution;
   solved.identity = builtin_registry().find_method_by_id("epc-gaussian-n6")->identity;
   auto problem = tests::paper_case(2);
   problem.name = "case2";
@@ -213,8 +214,8 @@ TEST_F(JointDensityFiles, MayBeTheClosedFormOfASummary) {
 
   const auto axes = compare::comparison_axes(problem);
   const auto method =
-      read_external_methods(std::vector{path("summary.json") + ",solution=epc-gaussian-n6"},
-                            builtin_registry())
+      external_density_methods_from_files(
+          std::vector{path("summary.json") + ",solution=epc-gaussian-n6"}, builtin_registry())
           .front();
   const auto again = solve_with_method(method, problem, {axes, {}});
   EXPECT_EQ(again.id(), "given-epc-gaussian-n6");

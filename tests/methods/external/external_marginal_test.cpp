@@ -39,7 +39,7 @@ double l1_to_bell(const transform::Marginal& m, double factor = 1) {
   double sum = 0;
   for (std::size_t b = 0; b < m.size(); ++b) {
     const double exact = factor * (bell_below(m.edges[b + 1]) - bell_below(m.edges[b]));
-    sum += std::abs(m.density[b] * m.width(b) - exact);
+    sum += std::abs(m.density[b] * m.bin_width(b) - exact);
   }
   return sum;
 }

@@ -107,10 +107,10 @@ double distance_from_law(const transform::Solution& solution, const Problem& pro
   double sum = 0;
   for (std::size_t b = 0; b < m.size(); ++b) {
     const auto p = [&](double at) {
-      const double x = m.centre(b) + at * m.width(b) / 2;
+      const double x = m.bin_centre(b) + at * m.bin_width(b) / 2;
       return variable == StateVariable::y ? law.displacement_marginal(x) : law.velocity_marginal(x);
     };
-    sum += m.width(b) * std::abs(m.density[b] - (5 * p(-third) + 8 * p(0) + 5 * p(third)) / 18);
+    sum += m.bin_width(b) * std::abs(m.density[b] - (5 * p(-third) + 8 * p(0) + 5 * p(third)) / 18);
   }
   return sum;
 }
@@ -222,8 +222,9 @@ class FilesOfAnyOscillator : public testing::Test {
     return path("joint.csv");
   }
   transform::Solution of(const std::string& argument, const Problem& problem) const {
-    return solved(read_external_methods(std::vector{argument}, builtin_registry()).front(),
-                  problem);
+    return solved(
+        external_density_methods_from_files(std::vector{argument}, builtin_registry()).front(),
+        problem);
   }
 
   tests::TemporaryDirectory directory_;
@@ -257,8 +258,8 @@ TEST_F(FilesOfAnyOscillator, OfBothMarginalsHaveAVirialResidual) {
       out << fmt::format("{},{}\n", 0.03 * k, law.velocity_marginal(0.03 * k));
     }
     out.close();
-    const auto methods =
-        read_external_methods(std::vector{y + ":lab", path("v.csv") + ":lab"}, builtin_registry());
+    const auto methods = external_density_methods_from_files(
+        std::vector{y + ":lab", path("v.csv") + ":lab"}, builtin_registry());
     const auto own = solved(methods.front(), problem);
     EXPECT_NEAR(transform::metric_number(own.metrics, "balances.virial").value(), 0, 2e-3);
   }
@@ -283,8 +284,8 @@ TEST_F(FilesOfAnyOscillator, OfARunReproduceItsDensities) {
     const auto axes = compare::comparison_axes(problem);
     const exact::EnergyLaw law(problem);
     transform::GridDensity cells{axes.y_edges, axes.v_edges, {}};
-    for (std::size_t i = 0; i < cells.ny(); ++i) {
-      for (std::size_t j = 0; j < cells.nv(); ++j) {
+    for (std::size_t i = 0; i < cells.y_cell_count(); ++i) {
+      for (std::size_t j = 0; j < cells.v_cell_count(); ++j) {
         cells.averages.push_back(law((cells.y_edges[i] + cells.y_edges[i + 1]) / 2,
                                      (cells.v_edges[j] + cells.v_edges[j + 1]) / 2));
       }

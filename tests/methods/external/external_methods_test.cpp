@@ -36,7 +36,7 @@ class ExternalMethods : public testing::Test {
     const auto exact = transform::marginal(density, variable, bins);
     for (std::size_t b = 0; b < exact.size(); ++b) {
       out << (standard_error > 0
-                  ? fmt::format("{} {} {}\n", exact.centre(b), exact.density[b], standard_error)
+                  ? fmt::format("{} {} {}\n", exact.bin_centre(b), exact.density[b], standard_error)
                   : fmt::format("{} {} {}\n", bins[b], bins[b + 1], exact.density[b]));
     }
     return file.string();
@@ -44,7 +44,7 @@ class ExternalMethods : public testing::Test {
 
   results::CaseResult case_with(const std::vector<std::string>& arguments) {
     std::vector<transform::Solution> all;
-    for (const auto& method : read_external_methods(arguments, builtin_registry())) {
+    for (const auto& method : external_density_methods_from_files(arguments, builtin_registry())) {
       all.push_back(solve_with_method(method, problem_, {axes_, {}}));
     }
     all.insert(all.end(), solutions_.begin(), solutions_.end());
@@ -52,7 +52,8 @@ class ExternalMethods : public testing::Test {
   }
 
   std::string refusal(const std::vector<std::string>& arguments) {
-    return tests::refusal([&] { read_external_methods(arguments, builtin_registry()); });
+    return tests::refusal(
+        [&] { external_density_methods_from_files(arguments, builtin_registry()); });
   }
 
   tests::TemporaryDirectory directory_;
@@ -126,8 +127,8 @@ TEST_F(ExternalMethods, BiasIsNotExplainedByTheErrorsOfADenseFile) {
     std::mt19937_64 engine(3);
     std::normal_distribution<double> normal;
     for (std::size_t k = 0; k < exact.size(); ++k) {
-      const double sign = exact.centre(k) < end / 10 ? 1 : -1;
-      out << fmt::format("{} {} {}\n", exact.centre(k),
+      const double sign = exact.bin_centre(k) < end / 10 ? 1 : -1;
+      out << fmt::format("{} {} {}\n", exact.bin_centre(k),
                          exact.density[k] * (1 + sign * bias + 0.05 * normal(engine)),
                          0.05 * exact.density[k]);
     }
@@ -210,10 +211,16 @@ TEST_F(ExternalMethods, AreReportedFromTheSavedRun) {
 
 TEST_F(ExternalMethods, LabelsMustNotBeIdsOfMethods) {
   const std::string y = write("y.csv", StateVariable::y), v = write("v.csv", StateVariable::ydot);
-  EXPECT_EQ(read_external_methods(std::vector{y}, builtin_registry()).front().id(), "y");
+  EXPECT_EQ(external_density_methods_from_files(std::vector{y}, builtin_registry()).front().id(),
+            "y");
   const std::string colon = write("a:b.csv", StateVariable::y);
-  EXPECT_EQ(read_external_methods(std::vector{colon}, builtin_registry()).front().id(), "a_b");
-  EXPECT_EQ(read_external_methods(std::vector{colon + ":c"}, builtin_registry()).front().id(), "c");
+  EXPECT_EQ(
+      external_density_methods_from_files(std::vector{colon}, builtin_registry()).front().id(),
+      "a_b");
+  EXPECT_EQ(external_density_methods_from_files(std::vector{colon + ":c"}, builtin_registry())
+                .front()
+                .id(),
+            "c");
   for (const char* label : {"", "a,b", "a b", "a/b", "much-too-long-for-a-table-of-80"}) {
     EXPECT_TRUE(contains(refusal({y + ":" + label}), "must be 1 to 24 letters")) << label;
   }

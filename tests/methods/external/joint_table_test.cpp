@@ -50,7 +50,7 @@ class JointTables : public testing::Test {
     const auto found = transform::marginal(averages, StateVariable::y, axes_.y_edges);
     double sum = 0;
     for (std::size_t b = 0; b < found.size(); ++b) {
-      const double width = found.width(b), centre = found.centre(b);
+      const double width = found.bin_width(b), centre = found.bin_centre(b);
       const auto p = [&](double at) { return exact_.displacement_marginal(at); };
       const double offset = width / 2 * std::sqrt(0.6);
       const double exact = (5 * p(centre - offset) + 8 * p(centre) + 5 * p(centre + offset)) / 18;
@@ -103,8 +103,8 @@ TEST_F(JointTables, AreExtrapolatedToTheWall) {
 
 TEST_F(JointTables, OfCellsConserveTheirAverages) {
   transform::GridDensity cells{axes_.y_edges, axes_.v_edges, {}};
-  for (std::size_t i = 0; i < cells.ny(); ++i) {
-    for (std::size_t j = 0; j < cells.nv(); ++j) {
+  for (std::size_t i = 0; i < cells.y_cell_count(); ++i) {
+    for (std::size_t j = 0; j < cells.v_cell_count(); ++j) {
       const double y = (cells.y_edges[i] + cells.y_edges[i + 1]) / 2;
       const double v = (cells.v_edges[j] + cells.v_edges[j + 1]) / 2;
       cells.averages.push_back(2 * exact_(y, v));

@@ -8,8 +8,8 @@
 namespace fpkcheck::numerics {
 namespace {
 
-// A matrix of 7 x 7 blocks of size 5 with unequal reaches to the left and to the right, and dominant
-// diagonal elements.
+// A matrix of 7 x 7 blocks of size 5 with unequal reaches to the left and to the right, and
+// dominant diagonal elements.
 Eigen::SparseMatrix<double> banded_matrix() {
   constexpr int kBlocks = 7, kSize = 5;
   std::vector<Eigen::Triplet<double>> entries;

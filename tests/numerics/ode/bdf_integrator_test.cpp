@@ -33,7 +33,7 @@ double error_at_one(double tolerance, long* steps = nullptr) {
   BdfIntegrator integrator(stiff_linear_system(), Vector2d(1, 2), {tolerance, tolerance});
   EXPECT_TRUE(integrator.advance_to_time(1)) << integrator.error_message();
   if (steps != nullptr) *steps = integrator.step_count();
-  return (integrator.state() - Vector2d(std::exp(-1), std::exp(-1))).cwiseAbs().maxCoeff();
+  return (integrator.current_state() - Vector2d(std::exp(-1), std::exp(-1))).cwiseAbs().maxCoeff();
 }
 
 TEST(BdfIntegrator, MeetsTheToleranceOfAStiffSystem) {
@@ -61,7 +61,7 @@ OdeSystem falling_system() {
 TEST(BdfIntegrator, StopsWhereTheSolutionLeavesTheDomain) {
   BdfIntegrator integrator(falling_system(), VectorXd::Ones(1), {1e-8, 1e-8});
   ASSERT_TRUE(integrator.advance_to_time(0.99)) << integrator.error_message();
-  EXPECT_NEAR(integrator.state()[0], 1 - 0.99 * 0.99, 1e-6);
+  EXPECT_NEAR(integrator.current_state()[0], 1 - 0.99 * 0.99, 1e-6);
   EXPECT_FALSE(integrator.advance_to_time(1.1));
 }
 
@@ -79,7 +79,7 @@ double integral_over_pulse(std::optional<double> max_step) {
                             }};
   BdfIntegrator integrator(pulse, VectorXd::Zero(1), {1e-6, 1e-6, max_step});
   EXPECT_TRUE(integrator.advance_to_time(100)) << integrator.error_message();
-  return integrator.state()[0];
+  return integrator.current_state()[0];
 }
 
 TEST(BdfIntegrator, StepsOverNoPulseLongerThanTheLongestStep) {

@@ -88,7 +88,8 @@ TEST(GaussRules, CompositeRuleHasNoPointsBetweenEqualEnds) {
   const QuadratureRule rule = composite_gauss_rule<3>(ends);
   ASSERT_EQ(rule.weights.size(), static_cast<Eigen::Index>(rule.points.size()));
   EXPECT_EQ(rule.size(), 6);
-  EXPECT_NEAR(rule.weights.dot(rule.point_vector().array().pow(5).matrix()), 63.0 / 6, 1e-13);
+  EXPECT_NEAR(rule.weights.dot(rule.quadrature_points_as_vector().array().pow(5).matrix()),
+              63.0 / 6, 1e-13);
 }
 
 TEST(GaussRules, ExponentialRuleGivesTheFactorials) {

@@ -28,15 +28,15 @@ TEST(Continuation, PassesTwoFolds) {
   const auto slope = [](double a) { return 12 * a * a - 12 * a + 2.6; };
   const Homotopy family = graph(g, slope);
   const SolutionCurve curve = trace_solution_curve(family, VectorXd::Zero(1), {});
-  const auto regularity_at = [&](const CurvePoint& point) {
+  const auto regularity_at = [&](const SolutionCurvePoint& point) {
     return singularity_indicators(family.jacobian(point.a, point.t));
   };
-  EXPECT_EQ(curve.end, TerminationReason::end_reached);
+  EXPECT_EQ(curve.end, ContinuationTermination::end_reached);
   ASSERT_EQ(curve.folds.size(), 2u);
   // half the distance of the roots of g'
   const double half_gap = std::sqrt(144 - 4 * 12 * 2.6) / 24;
   for (const int k : {0, 1}) {
-    const CurvePoint& fold = curve.points[curve.folds[k]];
+    const SolutionCurvePoint& fold = curve.points[curve.folds[k]];
     const double expected = 0.5 + (k == 0 ? -half_gap : half_gap);
     EXPECT_NEAR(fold.a[0], expected, 1e-6);
     EXPECT_NEAR(fold.t, g(expected), 1e-10);
@@ -45,7 +45,7 @@ TEST(Continuation, PassesTwoFolds) {
   EXPECT_EQ(curve.points.back().t, 1);
   EXPECT_NEAR(g(curve.points.back().a[0]), 1, 1e-10);
   EXPECT_EQ(curve.point_with_largest_t().t, 1);
-  for (const CurvePoint& point : curve.points) {
+  for (const SolutionCurvePoint& point : curve.points) {
     EXPECT_NEAR(g(point.a[0]), point.t, 1e-10);
     const double s = slope(point.a[0]);
     if (std::abs(s) > 1e-4) {
@@ -58,7 +58,7 @@ TEST(Continuation, ReportsReturningCurve) {
   const auto g = [](double a) { return 2 * a * (1 - a); };  // at most 1/2
   const auto slope = [](double a) { return 2 - 4 * a; };
   const SolutionCurve curve = trace_solution_curve(graph(g, slope), VectorXd::Zero(1), {});
-  EXPECT_EQ(curve.end, TerminationReason::fell_back);
+  EXPECT_EQ(curve.end, ContinuationTermination::fell_back);
   ASSERT_EQ(curve.folds.size(), 1u);
   EXPECT_NEAR(curve.point_with_largest_t().t, 0.5, 1e-10);
   EXPECT_NEAR(curve.points.back().a[0], 1, 1e-10);
@@ -69,7 +69,7 @@ TEST(Continuation, ReportsDivergence) {
   const auto slope = [](double a) { return 1 / ((1 + a) * (1 + a)); };
   const SolutionCurve curve = trace_solution_curve(graph(g, slope), VectorXd::Zero(1),
                                                    {.max_points = 4000, .max_norm = 20});
-  EXPECT_EQ(curve.end, TerminationReason::diverged);
+  EXPECT_EQ(curve.end, ContinuationTermination::diverged);
   EXPECT_TRUE(curve.folds.empty());
 }
 
@@ -78,7 +78,7 @@ TEST(Continuation, PassesFoldsWithoutLocatingThem) {
   const auto slope = [](double a) { return 12 * a * a - 12 * a + 2.6; };
   const SolutionCurve curve =
       trace_solution_curve(graph(g, slope), VectorXd::Zero(1), {.locate_folds = false});
-  EXPECT_EQ(curve.end, TerminationReason::end_reached);
+  EXPECT_EQ(curve.end, ContinuationTermination::end_reached);
   EXPECT_TRUE(curve.folds.empty());
   EXPECT_NEAR(g(curve.points.back().a[0]), 1, 1e-10);
 }
@@ -89,12 +89,12 @@ TEST(Continuation, ToleratesNegativeParameters) {
   const auto slope = [](double a) { return 8 * (3 * a * a - 2 * a + 0.16); };
   const Homotopy family = graph(g, slope);
   const SolutionCurve back = trace_solution_curve(family, VectorXd::Zero(1), {});
-  EXPECT_EQ(back.end, TerminationReason::fell_back);
+  EXPECT_EQ(back.end, ContinuationTermination::fell_back);
   EXPECT_NEAR(back.points.back().a[0], 0.2, 1e-10);
   const SolutionCurve curve = trace_solution_curve(family, VectorXd::Zero(1), {.min_t = -1});
-  EXPECT_EQ(curve.end, TerminationReason::end_reached);
+  EXPECT_EQ(curve.end, ContinuationTermination::end_reached);
   EXPECT_NEAR(g(curve.points.back().a[0]), 1, 1e-10);
-  EXPECT_LT(std::ranges::min_element(curve.points, {}, &CurvePoint::t)->t, -0.38);
+  EXPECT_LT(std::ranges::min_element(curve.points, {}, &SolutionCurvePoint::t)->t, -0.38);
 }
 
 TEST(Continuation, AcceptsShortCorrectionsForUnscaledResiduals) {
@@ -103,14 +103,14 @@ TEST(Continuation, AcceptsShortCorrectionsForUnscaledResiduals) {
   const SolutionCurve curve =
       trace_solution_curve(graph(g, slope), VectorXd::Zero(1),
                            {.tolerance = 0, .correction_tolerance = 1e-6, .max_points = 40});
-  EXPECT_EQ(curve.end, TerminationReason::end_reached);
+  EXPECT_EQ(curve.end, ContinuationTermination::end_reached);
 }
 
 TEST(Continuation, ReportsStepUnderflow) {
   const auto g = [](double a) { return a < 0.5 ? a : std::numeric_limits<double>::quiet_NaN(); };
   const SolutionCurve curve =
       trace_solution_curve(graph(g, [](double) { return 1.0; }), VectorXd::Zero(1), {});
-  EXPECT_EQ(curve.end, TerminationReason::step_underflow);
+  EXPECT_EQ(curve.end, ContinuationTermination::step_underflow);
   EXPECT_NEAR(curve.point_with_largest_t().t, 0.5, 1e-3);
 }
 
@@ -126,7 +126,7 @@ TEST(Continuation, NewtonHomotopyReachesRootPastFolds) {
   const Homotopy family = newton_homotopy(residual, jacobian, start);
   EXPECT_EQ(family.residual(start, 0)[0], 0);
   const SolutionCurve curve = trace_solution_curve(family, start, {});
-  EXPECT_EQ(curve.end, TerminationReason::end_reached);
+  EXPECT_EQ(curve.end, ContinuationTermination::end_reached);
   EXPECT_EQ(curve.folds.size(), 2u);
   EXPECT_NEAR(curve.points.back().a[0], 2, 1e-10);
 }

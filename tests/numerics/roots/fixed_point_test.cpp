@@ -30,7 +30,7 @@ VectorXd affine_map(const VectorXd& x) {
 
 // Without the extrapolation the error after 20 evaluations is 0.8 of the first.
 TEST(FixedPoint, OfAnAffineMapIsFoundInFewEvaluations) {
-  const FixedPoint found =
+  const FixedPointResult found =
       solve_fixed_point([](const VectorXd& x) { return std::optional(affine_map(x)); },
                         VectorXd::Zero(30), to_tolerance(1e-9));
   EXPECT_TRUE(found.converged);
@@ -42,7 +42,7 @@ TEST(FixedPoint, OfANonlinearMap) {
   const auto cosine = [](const VectorXd& x) {
     return std::optional<VectorXd>(x.array().cos().matrix());
   };
-  const FixedPoint found = solve_fixed_point(cosine, VectorXd::Zero(2), to_tolerance(1e-12));
+  const FixedPointResult found = solve_fixed_point(cosine, VectorXd::Zero(2), to_tolerance(1e-12));
   EXPECT_TRUE(found.converged);
   EXPECT_NEAR(found.x[1], 0.7390851332151607, 1e-11);
 }
@@ -55,13 +55,13 @@ TEST(FixedPoint, StaysInTheDomainOfTheMap) {
     last = x.array().sqrt().matrix();
     return last;
   };
-  const FixedPoint found = solve_fixed_point(root, last, to_tolerance(1e-6));
+  const FixedPointResult found = solve_fixed_point(root, last, to_tolerance(1e-6));
   EXPECT_TRUE(found.converged);
   EXPECT_NEAR(found.x[0], 1, 2e-6);
 }
 
 TEST(FixedPoint, IsNotConvergedAtTheLimitOfEvaluations) {
-  const FixedPoint found =
+  const FixedPointResult found =
       solve_fixed_point([](const VectorXd& x) { return std::optional(affine_map(x)); },
                         VectorXd::Zero(30), to_tolerance(1e-9, 4));
   EXPECT_FALSE(found.converged);

@@ -25,7 +25,7 @@ struct Arctangent {
     return {VectorXd::Constant(1, -std::atan(a) * (1 + a * a))};
   }
   double step_fraction(const Iterate& here, const Step& step) const {
-    return backtrack(1, 1e-3, [&](double step_fraction) {
+    return halve_step_until_accepted(1, 1e-3, [&](double step_fraction) {
       return at(here.a + step_fraction * step.change).size < here.size;
     });
   }
@@ -68,9 +68,11 @@ TEST(Newton, EndsWhereThereIsNoResidual) {
 }
 
 TEST(Backtrack, ReturnsTheFirstAcceptedFraction) {
-  EXPECT_EQ(backtrack(1, 1e-3, [](double step_fraction) { return step_fraction < 0.3; }), 0.25);
-  EXPECT_EQ(backtrack(0.7, 1e-3, [](double) { return true; }), 0.7);
-  EXPECT_EQ(backtrack(1, 1e-3, [](double) { return false; }), 0);
+  EXPECT_EQ(
+      halve_step_until_accepted(1, 1e-3, [](double step_fraction) { return step_fraction < 0.3; }),
+      0.25);
+  EXPECT_EQ(halve_step_until_accepted(0.7, 1e-3, [](double) { return true; }), 0.7);
+  EXPECT_EQ(halve_step_until_accepted(1, 1e-3, [](double) { return false; }), 0);
 }
 
 }  // namespace

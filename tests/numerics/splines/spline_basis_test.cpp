@@ -7,7 +7,7 @@
 namespace fpkcheck::numerics {
 namespace {
 
-SplineBasis graded() { return SplineBasis(graded_breaks(3, 9, 0.02, 0.4)); }
+SplineBasis graded() { return SplineBasis(graded_break_points(3, 9, 0.02, 0.4)); }
 
 // Coefficients of x^2 (Marsden's identity): mean of the products of two of a function's p inner
 // knots.
@@ -16,7 +16,7 @@ Eigen::VectorXd square_coefficients(const SplineBasis& basis) {
   Eigen::VectorXd c = Eigen::VectorXd::Zero(basis.size());
   for (int i = 0; i < basis.size(); ++i) {
     for (int a = 1; a <= p; ++a) {
-      for (int b = 1; b < a; ++b) c(i) += basis.knot(i + a) * basis.knot(i + b);
+      for (int b = 1; b < a; ++b) c(i) += basis.spline_knot(i + a) * basis.spline_knot(i + b);
     }
   }
   return c * 2 / (p * (p - 1));
@@ -41,7 +41,7 @@ TEST(SplineBasis, IsAPartitionOfUnityThatReproducesPolynomials) {
 
 TEST(SplineBasis, DerivativesAreThoseOfTheValues) {
   const SplineBasis basis = graded();
-  for (int span = 0; span < basis.span_count(); ++span) {
+  for (int span = 0; span < basis.break_span_count(); ++span) {
     const double width = basis.breaks()[span + 1] - basis.breaks()[span];
     const double x = basis.breaks()[span] + 0.37 * width, h = 1e-3 * width;
     for (int d = 0; d < 3; ++d) {
@@ -55,8 +55,8 @@ TEST(SplineBasis, DerivativesAreThoseOfTheValues) {
 }
 
 TEST(SplineBasis, DerivativesUpToTheFifthAreContinuousAtBreaks) {
-  const SplineBasis basis(graded_breaks(3, 9, 0.3, 0.6));
-  for (int span = 1; span < basis.span_count(); ++span) {
+  const SplineBasis basis(graded_break_points(3, 9, 0.3, 0.6));
+  for (int span = 1; span < basis.break_span_count(); ++span) {
     const double x = basis.breaks()[span];
     const Eigen::MatrixXd left = basis.basis_derivatives(x, span - 1, 6),
                           right = basis.basis_derivatives(x, span, 6);
@@ -70,7 +70,7 @@ TEST(SplineBasis, DerivativesUpToTheFifthAreContinuousAtBreaks) {
 }
 
 TEST(GradedBreaks, WidenInProportionNearTheOriginAndAreEvenBeyond) {
-  const std::vector<double> x = graded_breaks(10, 60, 1e-3, 2);
+  const std::vector<double> x = graded_break_points(10, 60, 1e-3, 2);
   ASSERT_EQ(x.size(), 61u);
   EXPECT_EQ(x.front(), 0);
   EXPECT_EQ(x.back(), 10);
@@ -95,8 +95,8 @@ double value(const Eigen::MatrixXd& rows, int l, double t) {
 }
 
 TEST(BezierExtraction, GiveTheFunctionsOnPartsOfASpanForwardsAndBackwards) {
-  const SplineBasis basis(graded_breaks(3, 7, 0.05, 1));
-  for (int span = 0; span < basis.span_count(); ++span) {
+  const SplineBasis basis(graded_break_points(3, 7, 0.05, 1));
+  for (int span = 0; span < basis.break_span_count(); ++span) {
     const double a = basis.breaks()[span], b = basis.breaks()[span + 1];
     const double from = a + 0.2 * (b - a), to = a + 0.7 * (b - a);
     const Eigen::MatrixXd forwards = bezier_extraction<double>(basis, span, from, to);
@@ -112,7 +112,7 @@ TEST(BezierExtraction, GiveTheFunctionsOnPartsOfASpanForwardsAndBackwards) {
 }
 
 TEST(BezierExtraction, ContinueThePolynomialBeyondTheSpan) {
-  const SplineBasis basis(graded_breaks(3, 7, 0.05, 1));
+  const SplineBasis basis(graded_break_points(3, 7, 0.05, 1));
   const int span = 3;
   const double a = basis.breaks()[span], b = basis.breaks()[span + 1];
   const Eigen::MatrixXd inside = bezier_extraction<double>(basis, span, a, b);

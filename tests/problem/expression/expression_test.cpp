@@ -28,9 +28,9 @@ TEST(Expression, InBatchesHasTheSameValuesUpToRounding) {
     const Expression e = parse(name + (f.arguments == 1 ? "(3*y)" : "(3*y, v)") + " - v/k");
     const double ys[] = {0.3, -1.2, 1e-9, 0.019, 0.021, 0, -40, 300},
                  vs[] = {1, -2, 0, 0, 3, 0.5, 1, 2};
-    double values[Expression::kBatch], alone;
-    e.evaluate_batch(Expression::kBatch, ys, vs, values);
-    for (int n = 0; n < Expression::kBatch; ++n) {
+    double values[Expression::kBatchPoints], alone;
+    e.evaluate_batch(Expression::kBatchPoints, ys, vs, values);
+    for (int n = 0; n < Expression::kBatchPoints; ++n) {
       const double value = e(ys[n], vs[n]);
       if (std::isnan(value)) {
         EXPECT_TRUE(std::isnan(values[n])) << name << ys[n];
@@ -68,10 +68,11 @@ TEST(Expression, InBatchesHasTheSameSlopes) {
   for (const std::string& text : texts) {
     SCOPED_TRACE(text);
     const Expression e = parse(text);
-    double values[Expression::kBatch], slopes[Expression::kBatch], same[Expression::kBatch];
-    e.evaluate_batch_with_slopes_in_v(Expression::kBatch, ys, vs, values, slopes);
-    e.evaluate_batch(Expression::kBatch, ys, vs, same);
-    for (int n = 0; n < Expression::kBatch; ++n) {
+    double values[Expression::kBatchPoints], slopes[Expression::kBatchPoints],
+        same[Expression::kBatchPoints];
+    e.evaluate_batch_with_velocity_slopes(Expression::kBatchPoints, ys, vs, values, slopes);
+    e.evaluate_batch(Expression::kBatchPoints, ys, vs, same);
+    for (int n = 0; n < Expression::kBatchPoints; ++n) {
       if (std::isfinite(same[n])) {
         EXPECT_EQ(values[n], same[n]);
       }
@@ -144,8 +145,8 @@ TEST(Expression, FunctionsHaveTheirSlopesAndParity) {
         const double in_second = (f.value(a, b + kStep) - f.value(a, b - kStep)) / (2 * kStep);
         EXPECT_NEAR(f.slope_in_second(a, b), in_second, 1e-8) << f.name;
       }
-      if (f.parity != Parity::none) {
-        const double sign = f.parity == Parity::even ? 1 : -1;
+      if (f.parity != FunctionParity::none) {
+        const double sign = f.parity == FunctionParity::even ? 1 : -1;
         EXPECT_EQ(f.value(-a, -b), sign * f.value(a, b)) << f.name;
       }
     }
@@ -180,13 +181,13 @@ TEST(Expression, HasTheCoefficientsOfItsPolynomial) {
 
 TEST(Expression, HasTheParityOfItsForm) {
   for (const char* text : {"0.1*v + 0.05*tanh(20*v) + y^3", "v*abs(v)", "y/(1 + v^2)", "-sin(y)"}) {
-    EXPECT_EQ(parse(text).parity(), Parity::odd) << text;
+    EXPECT_EQ(parse(text).parity(), FunctionParity::odd) << text;
   }
   for (const char* text : {"3", "y*v", "cos(y) + v^2", "abs(y - v)", "sqrt(1 + y^2)^1.5"}) {
-    EXPECT_EQ(parse(text).parity(), Parity::even) << text;
+    EXPECT_EQ(parse(text).parity(), FunctionParity::even) << text;
   }
   for (const char* text : {"y + 1", "max(y, 0)", "exp(y)", "y^2 + y^3", "abs(y + 1)"}) {
-    EXPECT_EQ(parse(text).parity(), Parity::none) << text;
+    EXPECT_EQ(parse(text).parity(), FunctionParity::none) << text;
   }
 }
 
@@ -205,9 +206,9 @@ TEST(Expression, FindsKinksOnLinesOfTheAxes) {
   EXPECT_FALSE(f.has_jumps_at_nonzero_v(0.9));
   EXPECT_FALSE(parse("0.2*sign(v) + sign(y)").has_jumps_at_nonzero_v(3));
   EXPECT_TRUE(parse("sign(v - y)").has_jumps_at_nonzero_v(3));
-  EXPECT_FALSE(f.has_oblique_kinks());
-  EXPECT_TRUE(parse("abs(y - v)").has_oblique_kinks());
-  EXPECT_FALSE(parse("tanh(y - v)").has_oblique_kinks());
+  EXPECT_FALSE(f.has_kinks_along_other_curves());
+  EXPECT_TRUE(parse("abs(y - v)").has_kinks_along_other_curves());
+  EXPECT_FALSE(parse("tanh(y - v)").has_kinks_along_other_curves());
   near(parse("max(-y, 5 + y^1001)").kinks_in_y(-2.9, 4), {-1.001385522307552});
   // An argument of abs() that is zero for y > 0 adds no kink to that of min().
   near(parse("abs(min(y, 0))^1.5").kinks_in_y(-3, 4), {0});

@@ -36,7 +36,7 @@ results::CaseResult with_known_numbers() {
   row.total_tail = 0.2222;
   row.parts[0].l1 = 0.03333;
   row.parts[1].l1 = 4.4e-6;
-  case_result.assess();
+  case_result.update_assessment();
   return case_result;
 }
 

@@ -17,7 +17,7 @@ TEST(MarginalAxisRanges, ContainAllDensitiesAboveTheFloor) {
   const auto case_result = tests::made_up_case();
   for (const auto& marginal : density_content_for_picture(case_result).marginals) {
     for (const auto& drawn : marginal.curves) {
-      if (!drawn.solution->is_ok()) continue;
+      if (!drawn.solution->has_status_ok()) continue;
       for (std::size_t k = 0; k < drawn.curve->density.size(); ++k) {
         if (drawn.curve->density[k] <= kSmallestDrawnDensity) continue;
         EXPECT_GE(drawn.curve->abscissa[k], marginal.ranges.logarithmic_from);

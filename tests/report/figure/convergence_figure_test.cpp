@@ -16,13 +16,13 @@ using tests::trace_of;
 using tests::whole_case;
 using Names = std::vector<std::string>;
 
-std::vector<PagePlot> order_plots(const results::CaseResult& case_result,
-                                  const std::string& prefix) {
+std::vector<ReportPagePlot> order_plots(const results::CaseResult& case_result,
+                                        const std::string& prefix) {
   return make_page_plots(convergence_figure(case_result), prefix);
 }
 
-std::vector<PagePlot> cost_plots(const results::CaseResult& case_result,
-                                 const std::string& prefix) {
+std::vector<ReportPagePlot> cost_plots(const results::CaseResult& case_result,
+                                       const std::string& prefix) {
   return make_page_plots(computing_time_figure(case_result), prefix);
 }
 
@@ -110,7 +110,7 @@ TEST(OrderPlots, HaveExternalDensitiesAtOrdersOrAsLines) {
   auto& with_order = tests::solution_of(case_result, "fd-km4");
   with_order.identity.order = 8;
   with_order.identity.family = "file";
-  case_result.assess();
+  case_result.update_assessment();
   const auto plots = order_plots(case_result, "case-1");
   ASSERT_EQ(plots.size(), 2u);
   EXPECT_EQ(names_in(plots[0]), (Names{"epc-gaussian", "fd-white", "fd-km4",
@@ -139,7 +139,7 @@ TEST(OrderPlots, HaveACurveForAnExternalFamily) {
 TEST(OrderPlots, ShowTheErrorEstimateOfASimulation) {
   auto case_result = whole_case();
   tests::solution_of(case_result, "fd-kf").error.reset();
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_EQ(names_in(order_plots(case_result, "case-1")[0]),
             (Names{"epc-gaussian", "distance of fd-kf to mcs", "error estimate of mcs"}));
 }
@@ -153,7 +153,7 @@ TEST(OrderPlots, NeedTwoClosuresOfOneFamilyAndAReference) {
   case_result = whole_case();
   for (const char* id : {"fd-kf", "mcs"}) {
     tests::solution_of(case_result, id).status = transform::Status::failed;
-    case_result.assess();
+    case_result.update_assessment();
   }
   EXPECT_TRUE(order_plots(case_result, "case-1").empty());
   EXPECT_TRUE(cost_plots(case_result, "case-1").empty());
@@ -163,7 +163,7 @@ TEST(OrderPlots, LeaveOutAFamilyWithoutOrders) {
   auto case_result = whole_case();
   tests::solution_of(case_result, "fd-white").identity.role = transform::SolutionRole::closure;
   tests::solution_of(case_result, "fd-white").identity.family = "toy";
-  case_result.assess();
+  case_result.update_assessment();
   const auto plots = order_plots(case_result, "case-1");
   EXPECT_TRUE(trace_of(plots[0], "toy").is_null());
   EXPECT_FALSE(trace_of(cost_plots(case_result, "case-1")[0], "toy").is_null());

@@ -83,7 +83,7 @@ TEST(InitiallyVisible, AreAllWhereThatLeavesFewerThanTwo) {
   for (auto& solution : case_result.solutions) {
     if (solution.id() != "mcs") solution.status = transform::Status::failed;
   }
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_EQ(initially_visible_solutions(case_result).size(), case_result.solutions.size());
 }
 

@@ -16,7 +16,7 @@ TEST(DensityFigureContent, SubtractsTheReference) {
   auto case_result = made_up_case();
   EXPECT_EQ(density_content_for_picture(case_result).reference, "mcs");
   solution_of(case_result, "fd-kf").error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_EQ(density_content_for_picture(case_result).reference, "fd-kf");
   const auto content = density_content_for_picture(case_result);
   const auto& kf = *case_result.marginal_curve("fd-kf", StateVariable::ydot);
@@ -24,10 +24,10 @@ TEST(DensityFigureContent, SubtractsTheReference) {
     EXPECT_EQ(drawn.difference.values[70], drawn.curve->density[70] - kf.density[70]);
   }
   solution_of(case_result, "fd-kf").status = Status::not_converged;
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_EQ(density_content_for_picture(case_result).reference, "mcs");
   solution_of(case_result, "mcs").status = Status::failed;
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_EQ(density_content_for_picture(case_result).reference, "");
   EXPECT_TRUE(density_content_for_picture(case_result).marginals[0].curves[0].difference.empty());
 }
@@ -49,7 +49,7 @@ TEST(DensityFigureContent, HasAbsoluteDifferencesOverSmoothBins) {
   }
   // With another reference the differences are over sharp bins.
   solution_of(case_result, "fd-kf").error = {.y_l1 = 1e-7, .ydot_l1 = 1e-7};
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_EQ(density_content_for_picture(case_result).reference, "fd-kf");
   EXPECT_FALSE(density_content_for_picture(case_result).smooth_differences);
   EXPECT_EQ(
@@ -92,7 +92,7 @@ TEST(DensityFigureContent, AxisOfDifferencesContainsAllDrawnCurves) {
   // An inaccurate curve with the largest distance to the reference.
   for (auto case_result : {made_up_case(), tests::made_up_case_with_control_variates()}) {
     solution_of(case_result, "fd-white").status = Status::inaccurate;
-    case_result.assess();
+    case_result.update_assessment();
     const auto raise = [&](std::vector<results::DensityCurve>& curves) {
       for (auto& curve : curves) {
         if (curve.solution == "fd-white") curve.density[20] += 0.3;

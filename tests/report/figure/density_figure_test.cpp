@@ -150,7 +150,7 @@ TEST(DensityFigure, HasDifferencesWhereThereIsAReference) {
   auto case_result = made_up_case();
   solution_of(case_result, "fd-kf").status = transform::Status::failed;
   solution_of(case_result, "mcs").status = transform::Status::failed;
-  case_result.assess();
+  case_result.update_assessment();
   const auto figure = figure_of(case_result);
   EXPECT_EQ(figure.panels.size(), 4u);
   EXPECT_EQ(figure.panels[0].caption, "Displacement y: logarithm of the density; density");
@@ -167,7 +167,7 @@ TEST(DensityFigure, RunsNoCommandOfAnIdOrAStyle) {
     if (curve.solution == "mcs") curve.solution = id;
   }
   solution_of(case_result, "mcs").identity.id = id;
-  case_result.assess();
+  case_result.update_assessment();
   auto& plot_style = solution_of(case_result, "fd-kf").identity.plot_style;
   plot_style.colour = "x'; system('rm')\n#";
   plot_style.dash = "solid; system('rm')";

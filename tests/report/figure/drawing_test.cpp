@@ -93,7 +93,7 @@ TEST_F(Drawing, WithoutGnuplotIsOneWarningWithACommand) {
   EXPECT_TRUE(contains(warnings[0], "&& gnuplot stem.gp`")) << warnings[0];
   EXPECT_TRUE(fs::exists(figures_ / "stem.gp"));
   EXPECT_THROW(draw_picture("no-such-gnuplot", figures_ / "stem.gp", figures_ / "stem.png"),
-               GnuplotMissing);
+               GnuplotNotFound);
 }
 
 }  // namespace

@@ -67,11 +67,12 @@ TEST(ErrorSourceFigure, OfThePageHasAllThatHaveTheirSourcesClosuresFirst) {
     const auto& map = *panel.map;
     EXPECT_EQ(panel.id, k < 2 ? "errors-y2" : "errors-v2");
     EXPECT_EQ(panel.choice, k % 2 == 0 ? "epc-gaussian-n6" : "fd-kf");
-    EXPECT_EQ(map.root_scale,
-              *std::ranges::max_element(
-                  case_result.error_source(panel.choice, k < 2 ? "y2" : "v2")->density.averages, {},
-                  [](double value) { return std::abs(value); }) *
-                  (k < 2 ? 1 : -1));
+    EXPECT_EQ(
+        map.root_scale,
+        *std::ranges::max_element(
+            case_result.moment_error_source(panel.choice, k < 2 ? "y2" : "v2")->density.averages,
+            {}, [](double value) { return std::abs(value); }) *
+            (k < 2 ? 1 : -1));
     // The largest value is at the wall, at y' > 0.
     const auto largest =
         std::ranges::find_if(map.values, [](double value) { return std::abs(value) == 1; });

@@ -13,18 +13,19 @@ const transform::GridDensity kDensity{
     {0, 1, 2}, {-2, -1, 0, 1, 2}, {0.001, 10, 4, 0.5, 0, 0.2, 0.3, 0.001}};
 
 TEST(CellIndexWindow, HoldsAllThatExceedsThePart) {
-  const auto wide = cells_above_peak_fraction(kDensity, 0.01);
+  const auto wide = window_of_cells_above_peak_fraction(kDensity, 0.01);
   EXPECT_EQ(wide.y_end, 2u);
   EXPECT_EQ(wide.v_begin, 1u);
   EXPECT_EQ(wide.v_end, 4u);
-  const auto narrow = cells_above_peak_fraction(kDensity, 0.1);
+  const auto narrow = window_of_cells_above_peak_fraction(kDensity, 0.1);
   EXPECT_EQ(narrow.y_end, 1u);
   EXPECT_EQ(narrow.v_begin, 1u);
   EXPECT_EQ(narrow.v_end, 3u);
 }
 
 TEST(CellIndexWindow, RowsAreOfConstantVelocity) {
-  EXPECT_EQ(rows_of_constant_velocity(kDensity, {2, 1, 3}), (std::vector<double>{10, 0.2, 4, 0.3}));
+  EXPECT_EQ(cell_averages_by_velocity_rows(kDensity, {2, 1, 3}),
+            (std::vector<double>{10, 0.2, 4, 0.3}));
 }
 
 TEST(QuantisedSignedRoots, ComeBackWithTheirSign) {

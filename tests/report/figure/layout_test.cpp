@@ -77,8 +77,8 @@ std::size_t count(const std::string& text, const std::string& part) {
   return found;
 }
 
-Legend legend_of(int entries, std::size_t letters) {
-  Legend legend{{}, 5};
+FigureLegend legend_of(int entries, std::size_t letters) {
+  FigureLegend legend{{}, 5};
   for (int k = 0; k < entries; ++k) {
     legend.entries.push_back({"NaN with lines", std::to_string(1000 + k)});
     legend.entries.back().label.resize(letters, 'm');
@@ -87,7 +87,7 @@ Legend legend_of(int entries, std::size_t letters) {
 }
 
 /// The number of entries shown by gnuplot.
-std::size_t shown(const Legend& legend, const fs::path& directory) {
+std::size_t shown(const FigureLegend& legend, const fs::path& directory) {
   const FigureSize size{.width = 1500, .height = 500 + legend_height(legend, 1500)};
   const fs::path script = directory / "stem.gp", svg = directory / "stem.svg";
   std::ofstream(script) << gnuplot_output_commands("stem", size) << "set multiplot\n"
@@ -119,7 +119,7 @@ TEST(LegendStrip, TakesMoreRoomForMoreAndLongerEntries) {
 }
 
 TEST(LegendStrip, ShowsLabelsLiterally) {
-  const Legend legend{{{"NaN with lines", "a_b's"}}, 2};
+  const FigureLegend legend{{{"NaN with lines", "a_b's"}}, 2};
   EXPECT_TRUE(contains(legend_strip_commands(legend, {.width = 1500, .height = 900}),
                        "plot [0:1] [0:1] NaN with lines title 'a\\_b''s'\n"));
 }

@@ -75,7 +75,7 @@ TEST_P(PictureLegend, HasAnEntryForEveryCurveThatIsDrawn) {
   const std::string svg = contents(directory.path() / "figures" / "case1.svg");
   for (const auto& solution : case_result.solutions) {
     std::string label = solution.id();
-    if (!solution.is_ok()) label += fmt::format(" ({})", name(solution.status));
+    if (!solution.has_status_ok()) label += fmt::format(" ({})", name(solution.status));
     if (solution.identity.plot_style.as_points) label += ", with 95 % intervals";
     // The SVG contains hidden titles as comments.
     const bool shown = contains(svg, " >" + label + "</tspan></text>");

@@ -26,12 +26,12 @@ TEST(ResultsTable, HasDistancesToTheReferenceFirst) {
 TEST(ResultsTable, FollowsTheRuleForTheReference) {
   auto case_result = whole_case();
   solution_of(case_result, "fd-kf").error.reset();
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_TRUE(tests::contains(headers_in(solutions_table_html(case_result), "All solutions"),
                               "|L1 to mcs, p(y)|L1 to mcs, p(y\u2032)|L1 to fd-kf, p(y)|"));
   for (const char* id : {"fd-kf", "mcs"})
     solution_of(case_result, id).status = transform::Status::failed;
-  case_result.assess();
+  case_result.update_assessment();
   EXPECT_FALSE(tests::contains(solutions_table_html(case_result), "L1 to"));
 }
 

@@ -21,20 +21,20 @@ TEST(Html, EscapesWhatHasAMeaningThere) {
 
 TEST(Html, ATableNamesItsRowsAndDropsColumnsWithoutAValue) {
   const std::string none(kNoValue);
-  const std::string html = table_html("T & T", {{"name", Align::left, {"a", "b"}},
-                                                {"empty", Align::right, {none, none}},
-                                                {"value", Align::right, {"1", none}}});
+  const std::string html = table_html("T & T", {{"name", TextAlignment::left, {"a", "b"}},
+                                                {"empty", TextAlignment::right, {none, none}},
+                                                {"value", TextAlignment::right, {"1", none}}});
   EXPECT_TRUE(contains(html, "<caption>T &amp; T</caption>"));
   EXPECT_TRUE(contains(html, "<th scope=\"row\">a</th><td class=\"number\">1</td>"));
   EXPECT_TRUE(contains(html, "<th scope=\"row\">b</th><td class=\"number\">\u2013</td>"));
   EXPECT_FALSE(contains(html, "empty"));
-  EXPECT_EQ(table_html("nothing", {{"name", Align::left, {}}}), "");
+  EXPECT_EQ(table_html("nothing", {{"name", TextAlignment::left, {}}}), "");
 }
 
 TEST(Html, ShowsAStatusAsAChip) {
-  HtmlColumn status{"status", Align::left, {"ok", "x < y"}};
+  HtmlTableColumn status{"status", TextAlignment::left, {"ok", "x < y"}};
   status.is_status = true;
-  const std::string html = table_html("T", {{"name", Align::left, {"a", "b"}}, status});
+  const std::string html = table_html("T", {{"name", TextAlignment::left, {"a", "b"}}, status});
   EXPECT_TRUE(contains(html, "<td><span class=\"chip ok\">ok</span></td>")) << html;
   EXPECT_TRUE(contains(html, "x &lt; y</span>")) << html;
 }
@@ -47,7 +47,9 @@ TEST(Html, FoldsWhatIsThere) {
 
 TEST(Html, NamesAloneAreNoTable) {
   const std::string none(kNoValue);
-  EXPECT_EQ(table_html("T", {{"name", Align::left, {"a"}}, {"empty", Align::right, {none}}}), "");
+  EXPECT_EQ(table_html("T", {{"name", TextAlignment::left, {"a"}},
+                             {"empty", TextAlignment::right, {none}}}),
+            "");
 }
 
 std::string encoded(const std::string& text) {

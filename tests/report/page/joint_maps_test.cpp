@@ -31,8 +31,8 @@ TEST(JointMaps, HoldRowsOfConstantVelocityWhereTheReferenceIsSeen) {
   const std::size_t ny = maps->y_edges.size() - 1, nv = maps->v_edges.size() - 1;
   ASSERT_EQ(maps->reference_density.size(), ny * nv);
   EXPECT_EQ(maps->y_edges.front(), 0);
-  EXPECT_LT(ny, whole.ny());
-  EXPECT_LT(nv, whole.nv());
+  EXPECT_LT(ny, whole.y_cell_count());
+  EXPECT_LT(nv, whole.v_cell_count());
   const auto first = static_cast<std::size_t>(
       std::ranges::find(whole.v_edges, maps->v_edges.front()) - whole.v_edges.begin());
   EXPECT_EQ(maps->reference_density[3 * ny + 2], whole.cell_average(2, first + 3));
@@ -86,7 +86,7 @@ TEST(JointMaps, NeedAReferenceAndSomethingBesideIt) {
   case_result.joints = joints;
   for (const char* id : {"fd-kf", "mcs"}) {
     tests::solution_of(case_result, id).status = transform::Status::failed;
-    case_result.assess();
+    case_result.update_assessment();
   }
   EXPECT_FALSE(make_joint_maps(case_result));
 }

@@ -18,12 +18,12 @@ namespace fpkcheck::tests {
 inline results::CaseResult whole_case(const std::string& name = "case1") {
   auto case_result = made_up_case(name);
   solution_of(case_result, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5, .moments = {}};
-  case_result.assess();
+  case_result.update_assessment();
   auto simulated = case_result.joints.back();  // fd-kf
   simulated.solution = "mcs";
   auto& [y_edges, v_edges, averages] = simulated.density;
   for (std::size_t k = 0; k < averages.size(); ++k) {
-    if (v_edges[k % simulated.density.nv()] > -1e-9) averages[k] *= 1.02;
+    if (v_edges[k % simulated.density.v_cell_count()] > -1e-9) averages[k] *= 1.02;
   }
   case_result.joints.push_back(simulated);
   return case_result;
@@ -34,12 +34,12 @@ inline results::Run whole_run(const std::string& name = "case1") {
 }
 
 /// The figure of a plot.
-inline nlohmann::json figure_of(const report::PagePlot& plot) {
+inline nlohmann::json figure_of(const report::ReportPagePlot& plot) {
   return nlohmann::json::parse(plot.figure);
 }
 
 /// The trace with this name.
-inline nlohmann::json trace_of(const report::PagePlot& plot, const std::string& name) {
+inline nlohmann::json trace_of(const report::ReportPagePlot& plot, const std::string& name) {
   const auto figure = figure_of(plot);
   for (const auto& trace : figure.at("data")) {
     if (trace.at("name") == name) return trace;
@@ -47,7 +47,7 @@ inline nlohmann::json trace_of(const report::PagePlot& plot, const std::string& 
   return nullptr;
 }
 
-inline std::vector<std::string> names_in(const report::PagePlot& plot) {
+inline std::vector<std::string> names_in(const report::ReportPagePlot& plot) {
   std::vector<std::string> names;
   const auto figure = figure_of(plot);
   for (const auto& trace : figure.at("data")) names.push_back(trace.at("name"));

@@ -32,7 +32,7 @@ TEST(ProblemText, ListsCommonParametersOnceAndTheRestInATable) {
   const std::string shared = html.substr(html.find("<p>Parameters of all cases"));
   EXPECT_EQ(occurrences(html, "<th scope=\"row\">") +
                 occurrences(shared.substr(0, shared.find("</p>")), " = "),
-            problem::displayed_parameters(run.cases[0].problem).size());
+            problem::parameters_for_reports(run.cases[0].problem).size());
   EXPECT_EQ(varying_parameters_text(run, run.cases[1]),
             "\u03bc = 0.25, law of the amplitudes = laplace, E[Y] = 0.125");
 }
@@ -76,7 +76,7 @@ TEST(Timings, AreThoseOfEachSolutionAndAllTogether) {
   run.cases.push_back(run.cases[0]);
   run.cases[1].problem.name = "other";
   run.cases[1].solutions.erase(run.cases[1].solutions.begin() + 1, run.cases[1].solutions.end());
-  run.cases[1].assess();
+  run.cases[1].update_assessment();
   const std::string html = timings_table_html(run);
   EXPECT_EQ(headers_in(html, "Seconds per solution"), "solution|case1|other");
   EXPECT_EQ(row_in(html, "Seconds per solution", "epc-gaussian-n8"), "12.3|\u2013");

@@ -66,7 +66,8 @@ TEST(Page, ShowsNamesLiterally) {
     solution.identity.family += hostile;
     solution.identity.meaning = hostile;
     solution.reason = "because 1 < 2 " + hostile;
-    solution.metrics = transform::MetricBuilder().add_text(hostile, hostile).take_metrics();
+    solution.metrics =
+        transform::SolverMetricsBuilder().add_text_metric(hostile, hostile).take_metrics();
   }
   // Renames a solution wherever its id occurs.
   const std::string old = "epc-gaussian-n6", renamed = "n6" + hostile;
@@ -76,7 +77,7 @@ TEST(Page, ShowsNamesLiterally) {
   for (auto& row : case_result.budget) rename(row.solution);
   for (auto& curve : case_result.curves) rename(curve.solution);
   for (auto& joint : case_result.joints) rename(joint.solution);
-  case_result.assess();
+  case_result.update_assessment();
   const std::string html = report_page_html(run);
   EXPECT_EQ(occurrences(html, "<script"), 3u);
   EXPECT_EQ(occurrences(html, "</script>"), 3u);
@@ -99,7 +100,7 @@ TEST(Page, OfAnOlderRunLeavesOutWhatWasNotSaved) {
   auto run = made_up_run();
   run.cases[0].joints.clear();
   run.cases[0].budget.clear();
-  run.cases[0].assess();
+  run.cases[0].update_assessment();
   const std::string html = report_page_html(run);
   EXPECT_FALSE(contains(html, "Joint densities"));
   EXPECT_FALSE(contains(html, ">Error budget</h3>"));
@@ -122,7 +123,7 @@ TEST(Page, ShowsDashesWithoutAnyDensity) {
     solution.seconds = kNotANumber;
     solution.moments.y2 = kNotANumber;
   }
-  case_result.assess();
+  case_result.update_assessment();
   const std::string html = report_page_html(run);
   EXPECT_FALSE(contains(html, ">Densities and differences</h3>"));
   EXPECT_FALSE(contains(html, ">Convergence</h3>"));
@@ -137,7 +138,7 @@ TEST(Page, StatesThatThereIsNoReference) {
     if (solution.identity.role == transform::SolutionRole::closure) continue;
     solution.status = transform::Status::failed;
   }
-  run.cases[0].assess();
+  run.cases[0].update_assessment();
   const std::string html = report_page_html(run);
   EXPECT_TRUE(
       contains(html, "<p class=\"answer\">There is no reference: no solution of the full problem"));
@@ -162,17 +163,17 @@ TEST(Page, MentionsCirclesOnlyWithASimulation) {
   auto run = made_up_run();
   EXPECT_TRUE(contains(report_page_html(run), "Circles in a grey band"));
   solution_of(run.cases[0], "mcs").status = transform::Status::failed;
-  run.cases[0].assess();
+  run.cases[0].update_assessment();
   EXPECT_FALSE(contains(report_page_html(run), "Circles in a grey band"));
 }
 
 TEST(Page, OfASavedRunIsThatOfTheRun) {
   auto run = whole_run();
   for (auto& solution : run.cases[0].solutions) {
-    solution.metrics = transform::MetricBuilder()
-                           .add_diagnostic("steps", std::int64_t{3})
-                           .add_result("tail.kind", std::string("confined"))
-                           .add_result("last", 1e7)
+    solution.metrics = transform::SolverMetricsBuilder()
+                           .add_diagnostic_metric("steps", std::int64_t{3})
+                           .add_result_metric("tail.kind", std::string("confined"))
+                           .add_result_metric("last", 1e7)
                            .take_metrics();
     solution.options = {{"order", std::int64_t{6}}};
   }
@@ -214,7 +215,7 @@ TEST(Page, OfFourCasesAndFifteenSolutionsStaysUnderAMegabyteEach) {
       case_result.curves.push_back(curve);
     }
   }
-  case_result.assess();
+  case_result.update_assessment();
   ASSERT_EQ(case_result.solutions.size(), 15u);
   EXPECT_LT(report_page_html({results::current_program("fpkcheck run"), {case_result}}).size(),
             1'000'000u);

@@ -52,15 +52,15 @@ TEST(VerdictView, ExplainsTheColoursOfTheCells) {
     EXPECT_EQ(occurrences(key(), std::string("class=\"") + colour), 1u) << colour;
   }
   for (auto& case_result : run.cases) {
-    std::erase_if(case_result.solutions, [](const auto& s) { return !s.is_ok(); });
-    case_result.assess();
+    std::erase_if(case_result.solutions, [](const auto& s) { return !s.has_status_ok(); });
+    case_result.update_assessment();
   }
   EXPECT_EQ(occurrences(key(), "is-none"), 0u);
 }
 
 TEST(DistancePlot, HasAMarkForEachDistanceOrAText) {
   const auto run = two_cases();
-  const std::string svg = distance_plot(run, results::assess_run(run).rows);
+  const std::string svg = reference_distance_plot_svg(run, results::assess_run(run).rows);
   // Circles in both cases: n = 2 and 6, white, km4, the simulation. Crosses: n = 4, inadmissible.
   EXPECT_EQ(occurrences(svg, "<circle"), 10u);
   EXPECT_EQ(occurrences(svg, "class=\"cross\""), 2u);
@@ -76,7 +76,7 @@ TEST(DistancePlot, PutsMarksWhereTheirDecadeIs) {
     set_l1(run.cases[0], id, "fd-kf", 0.1, 0.1);
   }
   set_l1(run.cases[0], "epc-gaussian-n6", "fd-kf", 1e-3, 1e-4);
-  const std::string svg = distance_plot(run, results::assess_run(run).rows);
+  const std::string svg = reference_distance_plot_svg(run, results::assess_run(run).rows);
   const auto x_of = [&](const std::string& title) {
     const auto circle = svg.rfind("cx=\"", svg.find(title));
     return std::stod(svg.substr(circle + 4));
@@ -90,7 +90,7 @@ TEST(DistancePlot, PutsMarksWhereTheirDecadeIs) {
 
 TEST(DistancePlot, IsNothingWithoutDistances) {
   const results::Run run{{}, {tests::case_with_first(4)}};
-  EXPECT_EQ(distance_plot(run, results::assess_run(run).rows), "");
+  EXPECT_EQ(reference_distance_plot_svg(run, results::assess_run(run).rows), "");
 }
 
 }  // namespace

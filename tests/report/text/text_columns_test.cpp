@@ -5,11 +5,11 @@
 namespace fpkcheck::report {
 namespace {
 
-std::vector<TextColumn> table() {
-  std::vector<TextColumn> all{{"", "name", true, kAlwaysShown},
-                              make_status_column(),
-                              {"L1 to mcs", "p(y)", false, 2},
-                              {"L1 to mcs", "p(y')", false, 1}};
+std::vector<TextTableColumn> table() {
+  std::vector<TextTableColumn> all{{"", "name", true, kAlwaysShown},
+                                   make_status_column(),
+                                   {"L1 to mcs", "p(y)", false, 2},
+                                   {"L1 to mcs", "p(y')", false, 1}};
   const std::vector<std::vector<std::string>> cells{{"a", "ok", "0.1", "0.25"},
                                                     {"longer", "inadmissible", "12", "-"}};
   for (const auto& row : cells) {

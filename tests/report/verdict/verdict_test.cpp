@@ -24,7 +24,7 @@ results::Run run_of(std::vector<results::CaseResult> cases) {
   return {results::current_program("fpkcheck run"), std::move(cases)};
 }
 
-std::string outcome_in(const Verdict& run_verdict, const std::string& subject) {
+std::string outcome_in(const RunVerdict& run_verdict, const std::string& subject) {
   for (const auto& line : run_verdict.lines) {
     if (line.subject == subject) return line.outcome;
   }
@@ -129,7 +129,7 @@ TEST(Verdict, OfSeveralCasesStatesTheWorstAndTheirNumber) {
 TEST(Verdict, NamesTheReferenceCaseByCaseWhereItDiffers) {
   auto second = usual("b");
   solution_of(second, "fd-kf").error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
-  second.assess();
+  second.update_assessment();
   const auto run_verdict = make_verdict(run_of({usual("a"), second, usual("c")}));
   EXPECT_TRUE(contains(run_verdict.answer[0], "is mcs (fd-kf in b), with"))
       << run_verdict.answer[0];
@@ -154,7 +154,7 @@ TEST(Verdict, RecommendsTheReferenceAndTheFastestSolution) {
             "Fastest solution with status ok: within L1 0.01, epc-gaussian-n6 (0.5 s).");
   // The error estimate of the reference is added to the distance: 0.0047 + 0.006.
   solution_of(case_result, "mcs").sampling = {.y = 0.006, .ydot = 0.006};
-  case_result.assess();
+  case_result.update_assessment();
   run_verdict = make_verdict(run_of({case_result}));
   EXPECT_EQ(run_verdict.recommendation[1],
             "Fastest solution with status ok: within L1 0.01, fd-km4 (5 s).");
@@ -183,7 +183,7 @@ TEST(Verdict, ConfirmsTheReferenceWhereTheFindingsExplainTheDifference) {
 TEST(Verdict, StatesTheCasesInWhichTheReferenceIsConfirmed) {
   auto second = usual("b");
   solution_of(second, "fd-kf").status = transform::Status::failed;
-  second.assess();
+  second.update_assessment();
   EXPECT_TRUE(make_verdict(run_of({usual("a"), second, usual("c")}))
                   .recommendation[0]
                   .ends_with("; fd-kf confirms these values in a, c only."));
@@ -197,7 +197,7 @@ TEST(Verdict, StatesNoAccuracyWithoutAnErrorEstimateOfTheReference) {
   solution_of(case_result, "fd-kf").status = transform::Status::failed;
   solution_of(case_result, "mcs").sampling.reset();
   solution_of(case_result, "mcs").error = {.y_l1 = std::nan(""), .ydot_l1 = std::nan("")};
-  case_result.assess();
+  case_result.update_assessment();
   const auto run_verdict = make_verdict(run_of({case_result}));
   EXPECT_EQ(run_verdict.answer[0], "The reference is mcs.");
   EXPECT_EQ(run_verdict.recommendation.size(), 1u);

@@ -36,7 +36,7 @@ TEST(SavedProblem, IsReadBackFromASummary) {
   for (const auto& problem : problems) {
     auto saved = tests::case_of({});
     saved.problem = problem;
-    saved.assess();
+    saved.update_assessment();
     std::istringstream file(results::run_summary_text({results::current_program(""), {saved}}));
     const auto again = results::read_run_summary(file, "summary.json").cases.at(0).problem;
     EXPECT_EQ(again.name, problem.name);
@@ -61,7 +61,7 @@ class BaselineTest : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  static Baseline load(const fs::path& place) {
+  static CheckBaseline load(const fs::path& place) {
     return load_baseline(place, methods::builtin_registry(), {{"threads", std::int64_t{2}}});
   }
 
@@ -169,7 +169,7 @@ TEST_F(BaselineTest, RemovesAnExternalSolutionWithANote) {
 }
 
 TEST_F(BaselineTest, OptionOverridesReplaceOptionsOfTheRun) {
-  const auto threads = [](const Baseline& baseline) {
+  const auto threads = [](const CheckBaseline& baseline) {
     for (const auto& [name, value] : baseline.cases[0].methods.back().options) {
       if (name == "threads") return value;
     }
@@ -190,7 +190,7 @@ TEST_F(BaselineTest, LoadsEveryPaperCaseWithItsCurves) {
 }
 
 /// The closures of the paper's first case, which are solved in a few milliseconds each.
-Baseline closures() {
+CheckBaseline closures() {
   auto baseline = load_baseline(FPKCHECK_BASELINES "/case1", methods::builtin_registry(), {});
   auto& one = baseline.run.cases[0];
   const auto is_closure = [](const std::string& id) { return id.starts_with("epc-"); };
@@ -207,8 +207,8 @@ Baseline closures() {
 TEST(RunAgain, AgreesWithTheSavedBaseline) {
   const auto baseline = closures();
   std::vector<methods::RunProgress> told;
-  const auto run = repeat_run(baseline, "fpkcheck check", 2,
-                              [&](const methods::RunProgress& at) { told.push_back(at); });
+  const auto run = repeat_baseline_run(baseline, "fpkcheck check", 2,
+                                       [&](const methods::RunProgress& at) { told.push_back(at); });
   EXPECT_EQ(run.program.command, "fpkcheck check");
   ASSERT_FALSE(told.empty());
   EXPECT_EQ(told.back().total, baseline.cases[0].methods.size());
@@ -220,7 +220,7 @@ TEST(RunAgain, AgreesWithTheSavedBaseline) {
 
 TEST(RunAgain, FindsEveryRelativeChangeOf1e6InAClosure) {
   const auto baseline = closures();
-  const auto again = repeat_run(baseline, "", 2, {});
+  const auto again = repeat_baseline_run(baseline, "", 2, {});
   std::size_t tried = 0;
   for (const auto& closure : baseline.run.cases[0].solutions) {
     auto before = tests::only(baseline.run, closure.id());
@@ -229,7 +229,7 @@ TEST(RunAgain, FindsEveryRelativeChangeOf1e6InAClosure) {
     for (auto& o : was.metrics) {
       const auto* now = transform::find_metric(run.cases[0].find(was.id())->metrics, o.path);
       const auto value = transform::metric_number(was.metrics, o.path);
-      if (now == nullptr || !value || now->kind == transform::MetricKind::work) continue;
+      if (now == nullptr || !value || now->kind == transform::SolverMetricKind::work) continue;
       const auto kept = o.value;
       const double size = std::max(std::abs(*value), now->min_scale);
       o.value = *value + size * (now->is_rounding_sensitive ? 3e-6 : 1e-6);

@@ -17,7 +17,7 @@ using tests::paper_baseline;
 using tests::scale;
 using tests::solution;
 using tests::solved_run;
-using transform::MetricKind;
+using transform::SolverMetricKind;
 
 TEST(Check, ARunAgreesWithItselfAndWithItsFiles) {
   for (const results::Run* baseline : {&paper_baseline(), &solved_run()}) {
@@ -35,7 +35,7 @@ TEST(Check, FindsEveryCoefficientThatMovesByAMillionth) {
   for (const auto& one : solved_run().cases[0].solutions) {
     const auto runs = tests::alone(one.id());
     for (const auto& o : one.metrics) {
-      if (o.kind != MetricKind::coefficient) continue;
+      if (o.kind != SolverMetricKind::coefficient) continue;
       for (const double relative : {1e-6, -1e-6}) {
         const auto moved = moved_by(tests::scaled(one.id(), o.path, relative), {}, runs);
         ASSERT_EQ(moved.size(), 1u) << one.id() << " " << o.path;
@@ -75,7 +75,7 @@ TEST(Check, FindsEveryResultThatMovesByAMillionth) {
     const auto runs = tests::alone(one.id());
     for (const auto& o : one.metrics) {
       const auto value = transform::metric_number(one.metrics, o.path);
-      if (o.kind != MetricKind::result || !o.standard_error_path.empty() || !value) continue;
+      if (o.kind != SolverMetricKind::result || !o.standard_error_path.empty() || !value) continue;
       const double step =
           std::max(std::abs(*value), o.min_scale) * (o.is_rounding_sensitive ? 3e-6 : 1e-6);
       const auto moved = moved_by(
@@ -101,7 +101,8 @@ TEST(Check, FindsEveryChangedWordAndFlag) {
   for (const auto& one : solved_run().cases[0].solutions) {
     const auto runs = tests::alone(one.id());
     for (const auto& o : one.metrics) {
-      if (o.kind == MetricKind::work || transform::metric_number(one.metrics, o.path)) continue;
+      if (o.kind == SolverMetricKind::work || transform::metric_number(one.metrics, o.path))
+        continue;
       const auto moved = moved_by(
           [&](results::Run& run) {
             observation(solution(run, one.id()), o.path).value = "another";
@@ -173,7 +174,7 @@ TEST(Check, IgnoresWorkOptionsAndTimes) {
                   one.reason = "in other words";
                   one.options = {};
                   for (auto& o : one.metrics) {
-                    if (o.kind == MetricKind::work) o.value = std::int64_t{7};
+                    if (o.kind == SolverMetricKind::work) o.value = std::int64_t{7};
                   }
                 }
                 observation(solution(run, "epc-gaussian-n6"), "condition").value = {};

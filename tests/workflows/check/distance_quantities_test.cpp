@@ -11,15 +11,16 @@
 namespace fpkcheck::check {
 namespace {
 
-using compare::Distances;
+using compare::DensityDistances;
 using tests::kinds;
 using tests::moved_by;
 using tests::solution;
 using Kinds = std::vector<QuantityKind>;
 
 TEST(DistanceClaims, EveryDistanceOfAPairIsFound) {
-  for (double Distances::*distance :
-       {&Distances::l1, &Distances::l2, &Distances::sup, &Distances::hellinger, &Distances::kl}) {
+  for (double DensityDistances::*distance :
+       {&DensityDistances::l1, &DensityDistances::l2, &DensityDistances::sup,
+        &DensityDistances::hellinger, &DensityDistances::kl}) {
     EXPECT_EQ(kinds(moved_by(
                   [&](results::Run& run) { run.cases[0].pairs[0].distances.*distance += 1e-7; })),
               Kinds{QuantityKind::distance});
@@ -108,7 +109,7 @@ TEST(BudgetClaims, ReportsAnotherChainOnce) {
   EXPECT_EQ(
       moved_by_row([](ErrorBudgetRow& row) { row.parts.erase(row.parts.begin() + 1); }).size(), 1u);
   EXPECT_EQ(moved_by_row([](ErrorBudgetRow& row) {
-              row.parts[1].approximations = {compare::Approximation::white_noise};
+              row.parts[1].approximations = {compare::ModelApproximation::white_noise};
             }).size(),
             1u);
   EXPECT_EQ(moved_by_row([](ErrorBudgetRow& row) { row.reference = "fd-kf"; }).size(), 1u);

@@ -14,9 +14,9 @@ using tests::observation;
 using tests::scale;
 using tests::scaled;
 using tests::solution;
-using transform::Metric;
-using transform::MetricKind;
 using transform::Metrics;
+using transform::SolverMetric;
+using transform::SolverMetricKind;
 
 /// The changes between two solutions that have these metrics alone.
 std::vector<QuantityChange> moved(const Metrics& was, const Metrics& is) {
@@ -26,24 +26,24 @@ std::vector<QuantityChange> moved(const Metrics& was, const Metrics& is) {
 }
 
 /// The changes of a single number with these properties.
-std::vector<QuantityChange> moved(const Metric& described, double was, double is) {
-  Metric now = described;
+std::vector<QuantityChange> moved(const SolverMetric& described, double was, double is) {
+  SolverMetric now = described;
   now.value = is;
   // A baseline from files has the value alone.
   return moved({{.path = described.path, .value = was}}, {now});
 }
 
 TEST(MetricQuantities, ResultsChangeRelativeToTheLargerOfSizeAndLeastScale) {
-  const Metric plain{.path = "x", .value = {}};
+  const SolverMetric plain{.path = "x", .value = {}};
   EXPECT_EQ(moved(plain, 1, 1 + 0.9e-8).size(), 0u);
   EXPECT_EQ(moved(plain, 1, 1 + 1.1e-8).size(), 1u);
   EXPECT_EQ(moved(plain, 100, 100 + 0.9e-6).size(), 0u);
   EXPECT_EQ(moved(plain, 1e-5, 1e-5 + 0.9e-9).size(), 0u);
   EXPECT_EQ(moved(plain, 1e-5, 1e-5 + 1.1e-9).size(), 1u);
-  const Metric faint{.path = "x", .value = {}, .min_scale = 1e-6};
+  const SolverMetric faint{.path = "x", .value = {}, .min_scale = 1e-6};
   EXPECT_EQ(moved(faint, 1e-9, 1e-9 + 0.9e-14).size(), 0u);
   EXPECT_EQ(moved(faint, 1e-9, 1e-9 + 1.1e-14).size(), 1u);
-  const Metric is_rounding_sensitive{.path = "x", .value = {}, .is_rounding_sensitive = true};
+  const SolverMetric is_rounding_sensitive{.path = "x", .value = {}, .is_rounding_sensitive = true};
   EXPECT_EQ(moved(is_rounding_sensitive, 1, 1 + 0.9e-6).size(), 0u);
   EXPECT_EQ(moved(is_rounding_sensitive, 1, 1 + 1.1e-6).size(), 1u);
 }
@@ -54,7 +54,7 @@ TEST(MetricQuantities, CoefficientsAreNamedByPowersAndHaveLargerTolerance) {
                    {.path = "coefficients[0].x2", .value = std::int64_t{2}},
                    {.path = "coefficients[0].a",
                     .value = a,
-                    .kind = MetricKind::coefficient,
+                    .kind = SolverMetricKind::coefficient,
                     .min_scale = 1e-3}};
   };
   EXPECT_EQ(moved(list(-0.01), list(-0.01 * (1 + 4e-7))).size(), 0u);
@@ -79,19 +79,21 @@ TEST(MetricQuantities, IgnoresRoundingOfAZeroCoefficient) {
 }
 
 TEST(MetricQuantities, IgnoresWorkAndText) {
-  for (const MetricKind kind : {MetricKind::work, MetricKind::text}) {
-    const Metric o{.path = "x", .value = "new", .kind = kind};
+  for (const SolverMetricKind kind : {SolverMetricKind::work, SolverMetricKind::text}) {
+    const SolverMetric o{.path = "x", .value = "new", .kind = kind};
     EXPECT_TRUE(moved({{.path = "x", .value = 3.0}}, {o}).empty());
     EXPECT_TRUE(moved({}, {o}).empty());
   }
   // The kind of an entry follows from other entries of its list, or from the list where it is
   // empty.
   const Metrics two{{.path = "seen[0].at", .value = 1.0}, {.path = "seen[1].at", .value = 2.0}};
-  EXPECT_TRUE(moved(two, {{.path = "seen[0].at", .value = 7.0, .kind = MetricKind::work}}).empty());
-  EXPECT_TRUE(moved(two, {{.path = "seen[]", .value = {}, .kind = MetricKind::work}}).empty());
+  EXPECT_TRUE(
+      moved(two, {{.path = "seen[0].at", .value = 7.0, .kind = SolverMetricKind::work}}).empty());
+  EXPECT_TRUE(
+      moved(two, {{.path = "seen[]", .value = {}, .kind = SolverMetricKind::work}}).empty());
   EXPECT_EQ(moved(two, {{.path = "seen[]", .value = {}}}).size(), 1u);
   const Metrics by_entry{{.path = "seen[0].at", .value = 1.0},
-                         {.path = "seen[1].note", .value = 2.0, .kind = MetricKind::work},
+                         {.path = "seen[1].note", .value = 2.0, .kind = SolverMetricKind::work},
                          {.path = "seen[2].at", .value = 1.0}};
   EXPECT_TRUE(moved({{.path = "seen[0].at", .value = 1.0},
                      {.path = "seen[0].note", .value = 5.0},
@@ -136,14 +138,14 @@ TEST(MetricQuantities, ReportsAMissingMetricOnce) {
 }
 
 TEST(MetricQuantities, ReportsNewResultsButNotNewErrorsWorkOrText) {
-  const auto by = [](MetricKind kind) {
+  const auto by = [](SolverMetricKind kind) {
     return moved({}, {{.path = "part.new", .value = 1.0, .kind = kind}}).size();
   };
-  EXPECT_EQ(by(MetricKind::result), 1u);
-  EXPECT_EQ(by(MetricKind::coefficient), 1u);
-  EXPECT_EQ(by(MetricKind::error), 0u);
-  EXPECT_EQ(by(MetricKind::work), 0u);
-  EXPECT_EQ(by(MetricKind::text), 0u);
+  EXPECT_EQ(by(SolverMetricKind::result), 1u);
+  EXPECT_EQ(by(SolverMetricKind::coefficient), 1u);
+  EXPECT_EQ(by(SolverMetricKind::error), 0u);
+  EXPECT_EQ(by(SolverMetricKind::work), 0u);
+  EXPECT_EQ(by(SolverMetricKind::text), 0u);
 }
 
 /// A value and its standard error, as a solver states them.
@@ -152,7 +154,7 @@ Metrics estimate(double value, double error, bool is_rounding_sensitive = false)
            .value = value,
            .standard_error_path = "rate_error",
            .is_rounding_sensitive = is_rounding_sensitive},
-          {.path = "rate_error", .value = error, .kind = MetricKind::error}};
+          {.path = "rate_error", .value = error, .kind = SolverMetricKind::error}};
 }
 
 TEST(MetricQuantities, EstimatesChangeInStandardErrorsOfBothRuns) {
@@ -178,7 +180,7 @@ TEST(MetricQuantities, TheErrorOfADelicateValueIsNotJudged) {
 
 TEST(MetricQuantities, EffectiveSamplesHaveTheToleranceOfTheSquaredError) {
   const auto by = [](double was, double is) {
-    const Metric now{.path = "samples", .value = is, .kind = MetricKind::error};
+    const SolverMetric now{.path = "samples", .value = is, .kind = SolverMetricKind::error};
     return moved({{.path = "samples", .value = was}}, {now}).size();
   };
   EXPECT_EQ(by(1e5, 2.2e5), 0u);

@@ -38,16 +38,16 @@ TEST(QuantityChange, EveryKindHasADistinctName) {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The comparison of a single quantity in two runs.
-QuantityChange held(const Quantity& was, const Quantity& is) {
+QuantityChange held(const CheckedQuantity& was, const CheckedQuantity& is) {
   const auto changes = compare_quantities("case", {was}, {is});
   EXPECT_EQ(changes.size(), 1u);
   return changes.at(0);
 }
 
-Quantity number(double value, QuantityKind kind = QuantityKind::mass, double scale = 1) {
-  Quantities quantities;
-  return PartQuantityAppender{quantities, "solution", kWholeSolutionPart}.append_number(
-      "x", kind, value, 0.1, scale);
+CheckedQuantity number(double value, QuantityKind kind = QuantityKind::mass, double scale = 1) {
+  CheckedQuantities quantities;
+  return SolutionPartQuantityAppender{quantities, "solution", kWholeSolutionPart}
+      .append_number_quantity("x", kind, value, 0.1, scale);
 }
 
 TEST(Quantity, NumbersChangeInUnitsOfTheScaleOfTheBaseline) {
@@ -80,7 +80,8 @@ TEST(Quantity, ErrorsChangeByTheirRatio) {
 
 TEST(Quantity, SimulatedNumbersChangeInStandardErrorsOfBoth) {
   const auto change = [](double error_was, double error_is) {
-    Quantity was = number(1, QuantityKind::simulated), is = number(6, QuantityKind::simulated);
+    CheckedQuantity was = number(1, QuantityKind::simulated),
+                    is = number(6, QuantityKind::simulated);
     was.error = error_was;
     is.error = error_is;
     return held(was, is).change;
@@ -92,7 +93,7 @@ TEST(Quantity, SimulatedNumbersChangeInStandardErrorsOfBoth) {
 }
 
 TEST(Quantity, AnL1IsAllowedItsExpectationAndSomeScatter) {
-  Quantity quantity = number(0, QuantityKind::simulated_l1);
+  CheckedQuantity quantity = number(0, QuantityKind::simulated_l1);
   quantity.error = 0.01;
   quantity.quantile_99 = 0.03;
   quantity.allowed = 0;
@@ -103,9 +104,11 @@ TEST(Quantity, AnL1IsAllowedItsExpectationAndSomeScatter) {
 
 TEST(Quantity, WordsMustBeTheSame) {
   const auto moved = [](const base::Value& was, const base::Value& is) {
-    Quantities one, other;
-    PartQuantityAppender{one, "solution", kWholeSolutionPart}.append_word("x", was);
-    PartQuantityAppender{other, "solution", kWholeSolutionPart}.append_word("x", is);
+    CheckedQuantities one, other;
+    SolutionPartQuantityAppender{one, "solution", kWholeSolutionPart}.append_word_quantity("x",
+                                                                                           was);
+    SolutionPartQuantityAppender{other, "solution", kWholeSolutionPart}.append_word_quantity("x",
+                                                                                             is);
     return held(one[0], other[0]).exceeds_tolerance();
   };
   EXPECT_FALSE(moved("ok", "ok"));
@@ -115,20 +118,22 @@ TEST(Quantity, WordsMustBeTheSame) {
 }
 
 /// A list with this number of entries, in a group.
-Quantities list(std::size_t entries) {
-  Quantities quantities;
-  const PartQuantityAppender whole{quantities, "solution", kWholeSolutionPart};
+CheckedQuantities list(std::size_t entries) {
+  CheckedQuantities quantities;
+  const SolutionPartQuantityAppender whole{quantities, "solution", kWholeSolutionPart};
   whole.begin_part(QuantityKind::status);
-  const PartQuantityAppender group =
-      PartQuantityAppender{quantities, "solution", "group"}.begin_part(QuantityKind::detail);
-  const PartQuantityAppender one =
-      PartQuantityAppender{quantities, "solution", "group.list"}.begin_part(
+  const SolutionPartQuantityAppender group =
+      SolutionPartQuantityAppender{quantities, "solution", "group"}.begin_part(
+          QuantityKind::detail);
+  const SolutionPartQuantityAppender one =
+      SolutionPartQuantityAppender{quantities, "solution", "group.list"}.begin_part(
           QuantityKind::detail, static_cast<std::int64_t>(entries), group.name);
   for (std::size_t k = 0; k < entries; ++k) {
-    const PartQuantityAppender entry{quantities, "solution",
-                                     "group.list[" + std::to_string(k) + ']'};
+    const SolutionPartQuantityAppender entry{quantities, "solution",
+                                             "group.list[" + std::to_string(k) + ']'};
     entry.begin_part(QuantityKind::detail, "there", one.name)
-        .append_number(entry.name + ".level", QuantityKind::detail, static_cast<double>(k), 0);
+        .append_number_quantity(entry.name + ".level", QuantityKind::detail, static_cast<double>(k),
+                                0);
   }
   return quantities;
 }
@@ -145,8 +150,9 @@ TEST(Quantity, ReportsAChangedPartOnce) {
 }
 
 TEST(Quantity, ReportsAMissingPartOnce) {
-  Quantities none;
-  PartQuantityAppender{none, "solution", kWholeSolutionPart}.begin_part(QuantityKind::status);
+  CheckedQuantities none;
+  SolutionPartQuantityAppender{none, "solution", kWholeSolutionPart}.begin_part(
+      QuantityKind::status);
   const auto lost = compare_quantities("case", list(3), none);
   ASSERT_EQ(lost.size(), 1u);
   EXPECT_EQ(lost[0].name, "group");
@@ -160,13 +166,13 @@ TEST(Quantity, ReportsAMissingPartOnce) {
 }
 
 TEST(Quantity, IgnoresErrorsThatTheBaselineLacks) {
-  const Quantity error = number(1, QuantityKind::simulated_error);
+  const CheckedQuantity error = number(1, QuantityKind::simulated_error);
   EXPECT_TRUE(compare_quantities("case", {}, {error}).empty());
   EXPECT_EQ(compare_quantities("case", {error}, {}).size(), 1u);
-  Quantities stated;
-  PartQuantityAppender{stated, "s", kErrorEstimatePart}
+  CheckedQuantities stated;
+  SolutionPartQuantityAppender{stated, "s", kErrorEstimatePart}
       .begin_part(QuantityKind::status)
-      .append_number("error of E[y]", QuantityKind::detail, 1e-3, 1e-8);
+      .append_number_quantity("error of E[y]", QuantityKind::detail, 1e-3, 1e-8);
   EXPECT_TRUE(compare_quantities("case", {}, stated).empty());
   EXPECT_FALSE(compare_quantities("case", stated, {}).empty());
 }

@@ -98,7 +98,7 @@ TEST(SolutionClaims, SimulatedMassAndBalanceChangeInStandardErrors) {
 TEST(SolutionClaims, ToleranceOfErrorsGrowsWithTheirNumber) {
   results::Run run = tests::solved_run();
   const auto allowed = [&](const char* name) {
-    for (const Quantity& quantity : solution_quantities(solution(run, "mcs"), {})) {
+    for (const CheckedQuantity& quantity : solution_quantities(solution(run, "mcs"), {})) {
       if (quantity.name == name) return quantity.allowed;
     }
     return 0.0;

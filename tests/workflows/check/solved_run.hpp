@@ -29,7 +29,7 @@ inline transform::Solution& solution(results::Run& run, std::string_view id) {
   throw std::logic_error("no " + std::string(id));
 }
 
-inline transform::Metric& observation(transform::Solution& one, std::string_view path) {
+inline transform::SolverMetric& observation(transform::Solution& one, std::string_view path) {
   for (auto& found : one.metrics) {
     if (found.path == path) return found;
   }
@@ -37,8 +37,8 @@ inline transform::Metric& observation(transform::Solution& one, std::string_view
 }
 
 /// Sets the kind, scale and error path of a metric as its solver does.
-inline void set_metric_kind(transform::Metric& o) {
-  using transform::MetricKind;
+inline void set_metric_kind(transform::SolverMetric& o) {
+  using transform::SolverMetricKind;
   const std::string_view path = o.path;
   const auto is_one_of = [&](std::initializer_list<std::string_view> paths) {
     for (const auto one : paths) {
@@ -49,7 +49,7 @@ inline void set_metric_kind(transform::Metric& o) {
   const auto beside = [&](std::string_view last, const char* other) {
     return o.path.substr(0, path.size() - last.size()) + other;
   };
-  o.kind = MetricKind::result;  // words too
+  o.kind = SolverMetricKind::result;  // words too
   if (is_one_of({"iterations",
                  "residual",
                  "condition",
@@ -77,11 +77,11 @@ inline void set_metric_kind(transform::Metric& o) {
                  "variance_reduction",
                  "splitting_thresholds[]"}) ||
       path.ends_with(".lower") || path.ends_with(".upper")) {
-    o.kind = MetricKind::work;
+    o.kind = SolverMetricKind::work;
   } else if (path.ends_with("_error") || path.starts_with("effective_samples")) {
-    o.kind = MetricKind::error;
+    o.kind = SolverMetricKind::error;
   } else if (path.starts_with("coefficients") && path.ends_with("].a")) {
-    o.kind = MetricKind::coefficient;
+    o.kind = SolverMetricKind::coefficient;
     o.min_scale = 2e-8;
   } else if (is_one_of({"support.edge_density", "support.cut_off"})) {
     o.min_scale = 1e-6;
@@ -126,7 +126,7 @@ inline const results::Run& solved_run() {
           if (!lower || !upper) break;
           one.metrics.push_back({.path = entry + "standard_error",
                                  .value = (*upper - *lower) / (2 * 1.96),
-                                 .kind = transform::MetricKind::error});
+                                 .kind = transform::SolverMetricKind::error});
         }
       }
     }
@@ -150,7 +150,7 @@ inline results::Run only(results::Run run, const std::string& id) {
   std::erase_if(one.curves, [&](const auto& curve) { return curve.solution != id; });
   one.pairs.clear();
   one.budget.clear();
-  one.assess();
+  one.update_assessment();
   return run;
 }
 inline TwoRuns alone(const std::string& id) {
@@ -159,7 +159,7 @@ inline TwoRuns alone(const std::string& id) {
 
 /// The compared quantities that change when the new run differs by `change` alone.
 inline std::vector<check::QuantityChange> moved_by(const Change& change,
-                                                   const check::Tolerances& tolerances = {},
+                                                   const check::CheckTolerances& tolerances = {},
                                                    const TwoRuns& runs = {}) {
   results::Run changed = runs.solved;
   change(changed);
@@ -179,7 +179,7 @@ inline std::vector<check::QuantityKind> kinds(const std::vector<check::QuantityC
 inline void scale(double& number, double relative) { number *= 1 + relative; }
 
 /// Scales a metric of type double or integer.
-inline void scale(transform::Metric& o, double relative) {
+inline void scale(transform::SolverMetric& o, double relative) {
   const transform::Metrics alone{o};
   o.value = transform::metric_number(alone, o.path).value() * (1 + relative);
 }

@@ -66,7 +66,7 @@ TEST(ClaimsTable, ClosesWithTheNumberOfEachOutcome) {
 // Lists each claim that is not simply established once, with the cases of its outcome.
 TEST(ClaimsTable, SummaryListsTheClaimsOfEachOtherOutcome) {
   const auto judgements = judge_claims(tests::run_with_distances());
-  const auto sentences = outcome_summary(judgements);
+  const auto sentences = claim_outcome_summary(judgements);
   EXPECT_EQ(sentences.front(), claim_count_sentence(judgements));
   std::set<ClaimOutcome> outcomes;
   for (const auto& one : judgements) {

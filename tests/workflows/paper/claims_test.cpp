@@ -21,7 +21,7 @@ TEST(Claims, CoverEveryPanelAndBothDensitiesOfEveryCase) {
   for (const auto& claim : paper_claims()) {
     if (claim.cases.size() > 1) continue;
     for (const char panel : claim.panels) {
-      panels.insert(std::to_string(Claim::figure_number(claim.cases.front())) + panel);
+      panels.insert(std::to_string(PaperClaim::figure_number(claim.cases.front())) + panel);
     }
     for (const auto variable : claim.variables) densities.insert({claim.cases.front(), variable});
   }
@@ -35,7 +35,7 @@ TEST(Claims, CoverEachOrderInEachCase) {
   for (int number = 1; number <= 4; ++number) {
     for (const int order : {2, 4, 6, 8}) {
       EXPECT_TRUE(std::ranges::any_of(paper_claims(),
-                                      [&](const Claim& claim) {
+                                      [&](const PaperClaim& claim) {
                                         return claim.cases == std::vector<int>{number} &&
                                                claim.order == order;
                                       }))
@@ -65,7 +65,7 @@ TEST(Claims, AreUniqueByCaseAndTextAndHaveQuotations) {
 }
 
 TEST(Claims, ReferToExistingMethodsAndCases) {
-  const auto methods = methods::builtin_registry().select_methods(kRequiredMethods, {});
+  const auto methods = methods::builtin_registry().methods_selected_by_list(kRequiredMethods, {});
   for (const auto& claim : paper_claims()) {
     EXPECT_TRUE(std::ranges::any_of(methods, [&](const methods::Method& method) {
       return method.identity.id == paper_closure_id(claim.order);
@@ -79,7 +79,7 @@ TEST(Claims, ReferToExistingMethodsAndCases) {
 }
 
 TEST(Criteria, AgreementIsTheDefaultAccuracyOfClosures) {
-  EXPECT_EQ(epc::Options{}.accuracy, kAgreementL1);
+  EXPECT_EQ(epc::ClosureOptions{}.accuracy, kMaxL1OfClaimedAgreement);
 }
 
 }  // namespace

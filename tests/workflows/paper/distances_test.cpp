@@ -23,7 +23,7 @@ TEST(DistanceToTheSimulation, ComesFromTheErrorBudget) {
   auto& row = budget_row(run, 2, 6, StateVariable::ydot);
   row.total = 0.013;
   row.total_tail = 0.17;
-  row.parts.back().approximations = {compare::Approximation::discretisation};
+  row.parts.back().approximations = {compare::ModelApproximation::discretisation};
   row.parts.back().tail = 0.004;
   std::string missing;
   const auto distance =
@@ -52,7 +52,7 @@ TEST(DistanceToTheSimulation, IsEmptyWithoutADensityOrAnAccurateReference) {
   EXPECT_EQ(missing, "case1 has no density of epc-gaussian-n8");
 
   case_in(run, 1).solutions.back().sampling = {.y = 0.011, .ydot = 0.011};
-  case_in(run, 1).assess();
+  case_in(run, 1).update_assessment();
   EXPECT_FALSE(closure_distance_to_simulation(case_in(run, 1), 6, StateVariable::y, missing));
   EXPECT_EQ(missing, "the reference of case1 has an error of up to L1 0.011: simulate longer");
 

@@ -9,7 +9,7 @@
 namespace fpkcheck::paper {
 namespace {
 
-bool has(const report::PictureScript& figure, const std::string& part) {
+bool has(const report::PictureGnuplotScript& figure, const std::string& part) {
   return figure.script.find(part) != std::string::npos;
 }
 

@@ -31,15 +31,17 @@ ClaimOutcome outcome(const results::Run& run, int number, const char* claim_text
 }
 
 TEST(Judge, AgreementNeedsBothNumbersWithinTheirLimits) {
-  EXPECT_EQ(outcome(run_with_distances(kAgreementL1, kAgreementInTail), 1, kAgrees),
-            ClaimOutcome::established);
-  EXPECT_EQ(outcome(run_with_distances(kAgreementL1 * kJustAbove, 0.1), 1, kAgrees),
+  EXPECT_EQ(
+      outcome(run_with_distances(kMaxL1OfClaimedAgreement, kMaxTailDistanceOfClaimedAgreement), 1,
+              kAgrees),
+      ClaimOutcome::established);
+  EXPECT_EQ(outcome(run_with_distances(kMaxL1OfClaimedAgreement * kJustAbove, 0.1), 1, kAgrees),
             ClaimOutcome::not_established);
   const auto tail = find_judgement(run_with_distances(0.01, 0.21), 1, kAgrees);
   EXPECT_EQ(tail.outcome, ClaimOutcome::not_established);
   EXPECT_EQ(tail.note, "tail 0.21 is above 0.2");
   EXPECT_EQ(tail.l1.value, 0.01);
-  EXPECT_EQ(tail.tail.limit, kAgreementInTail);
+  EXPECT_EQ(tail.tail.limit, kMaxTailDistanceOfClaimedAgreement);
 }
 
 TEST(Judge, OneNumberAboveItsLimitIsADifference) {
@@ -74,7 +76,7 @@ TEST(Judge, BetterMeansBetterByMoreThanTheReferenceError) {
   EXPECT_EQ(outcome(run, 3, kBetter), ClaimOutcome::not_established);
   // Finite volumes and the simulation differ by more than the two closures.
   own.total_tail = rival.total_tail - 0.01;
-  own.parts.back().approximations = {compare::Approximation::discretisation};
+  own.parts.back().approximations = {compare::ModelApproximation::discretisation};
   own.parts.back().tail = 0.02;
   EXPECT_EQ(outcome(run, 3, kBetter), ClaimOutcome::not_established);
   own.parts.back().tail = 0.005;
@@ -134,7 +136,7 @@ TEST(Judge, OrderTwoIsComparedWithEquivalentLinearisation) {
   const auto off = find_judgement(run_with_distances(), 0, kSame);
   EXPECT_EQ(off.outcome,
             ClaimOutcome::not_established);  // the made-up solution is another Gaussian
-  EXPECT_GT(off.l1.value.value(), kSameGaussianL1);
+  EXPECT_GT(off.l1.value.value(), kMaxL1BetweenEqualGaussians);
   auto run = run_with_distances();
   std::erase_if(case_in(run, 2).curves, [](const results::DensityCurve& curve) {
     return curve.solution == paper_closure_id(2) && curve.variable == StateVariable::ydot;
@@ -150,16 +152,18 @@ TEST(Judge, OrderEightIsNotFoundUnlessPlainNewtonStepsFindARoot) {
 
   auto& eighth = closure(run, 1, 8);
   eighth.status = Status::inadmissible;
-  eighth.metrics =
-      transform::MetricBuilder().add_diagnostic("plain_newton_converges", true).take_metrics();
+  eighth.metrics = transform::SolverMetricsBuilder()
+                       .add_diagnostic_metric("plain_newton_converges", true)
+                       .take_metrics();
   const auto found = find_judgement(run, 1, kNotFound);
   EXPECT_EQ(found.outcome, ClaimOutcome::not_established);
   EXPECT_EQ(found.note,
             "plain Newton steps from equivalent linearisation find a root, which solves its "
             "equations but is no probability density (inadmissible)");
 
-  eighth.metrics =
-      transform::MetricBuilder().add_diagnostic("plain_newton_converges", false).take_metrics();
+  eighth.metrics = transform::SolverMetricsBuilder()
+                       .add_diagnostic_metric("plain_newton_converges", false)
+                       .take_metrics();
   eighth.status = Status::ok;
   const auto otherwise = find_judgement(run, 1, kNotFound);
   EXPECT_EQ(otherwise.outcome, ClaimOutcome::established);
@@ -185,7 +189,7 @@ TEST(Judge, ClaimsWithoutNumbersAreUnjudgedWithAReason) {
   for (const auto& [lose, why] : losses) {
     auto run = run_with_distances();
     lose(run);
-    for (auto& case_result : run.cases) case_result.assess();
+    for (auto& case_result : run.cases) case_result.update_assessment();
     const auto one = find_judgement(run, 1, kAgrees);
     EXPECT_EQ(one.outcome, ClaimOutcome::unjudged) << why;
     EXPECT_EQ(one.note, why);

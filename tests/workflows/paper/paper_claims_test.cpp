@@ -19,7 +19,7 @@ namespace {
 // both: they take longer.
 std::vector<transform::Solution> quick_references(const problem::Problem& problem) {
   auto solution =
-      epc::solve(problem, {.order = 6, .formulation = epc::Formulation::polar}).solution;
+      epc::solve_closure(problem, {.order = 6, .formulation = epc::Formulation::polar}).solution;
   solution.error = transform::ErrorEstimate{.y_l1 = 2e-4, .ydot_l1 = 2e-4, .moments = {}};
   using problem::DensityEquation;
   using problem::ImpactCondition;

@@ -158,9 +158,10 @@ TEST(PassageFigure, HasAMapOfTheMeanTimes) {
                      .status = Status::ok,
                      .times = {1, 2},
                      .survival_from_stationary = {{0.9, 0.01}, {0.8, 0.02}},
-                     .mean_times = transform::MeanTimeMap{.y_edges = {0, 0.5, 1.5},
-                                                          .v_edges = {-2, 1, 1.5, 2},
-                                                          .averages = {1, 2, 3, 4, 5, -0.1}}}};
+                     .mean_passage_times_by_start =
+                         transform::MeanPassageTimeMap{.y_edges = {0, 0.5, 1.5},
+                                                       .v_edges = {-2, 1, 1.5, 2},
+                                                       .averages = {1, 2, 3, 4, 5, -0.1}}}};
   const report::Figure figure = study::study_figure(study);
   ASSERT_EQ(figure.panels.size(), 2u);
   const report::FigureHeatMap& map = figure.panels[1].map.value();
@@ -297,8 +298,9 @@ intensity = 0.1
     EXPECT_LT(3.5 * b.error + a.error, 0.1 * a.value);
   };
   for (const auto quantity :
-       {&transform::Passage::hazard, &transform::Passage::mean_from_point,
-        &transform::Passage::mean_from_stationary, &transform::Passage::probability_below}) {
+       {&transform::FirstPassageResult::hazard, &transform::FirstPassageResult::mean_from_point,
+        &transform::FirstPassageResult::mean_from_stationary,
+        &transform::FirstPassageResult::probability_below}) {
     expect_agreement(*(fd.*quantity), *(simulated.*quantity));
   }
   for (std::size_t k = 0; k < 2; ++k) {
@@ -352,16 +354,16 @@ factor = -1.5
   const auto &fd = study.passages[0], &simulated = study.passages[1];
   ASSERT_EQ(fd.status, Status::ok) << fd.reason;
   ASSERT_EQ(simulated.status, Status::ok) << simulated.reason;
-  for (const auto mean :
-       {&transform::Passage::mean_from_point, &transform::Passage::mean_from_stationary}) {
+  for (const auto mean : {&transform::FirstPassageResult::mean_from_point,
+                          &transform::FirstPassageResult::mean_from_stationary}) {
     const auto &a = *(fd.*mean), &b = *(simulated.*mean);
     EXPECT_NEAR(a.value, b.value, 3.5 * b.error + 2 * a.error);
     EXPECT_LT(3.5 * b.error + 2 * a.error, 0.1 * a.value);
   }
 }
 
-// The mean time in which x'' = xi, of intensity 2D = 1, leaves (-1, 1) from rest at x (J. Masoliver,
-// J. M. Porra, Phys. Rev. Lett. 75, 189 (1995)):
+// The mean time in which x'' = xi, of intensity 2D = 1, leaves (-1, 1) from rest at x (J.
+// Masoliver, J. M. Porra, Phys. Rev. Lett. 75, 189 (1995)):
 //   (L^2/D)^(1/3) (4/3)^(1/6) / Gamma(7/3) [X(1-X)]^(1/6) (F(X) + F(1-X)),
 //   F(X) = 2F1(1, -1/3; 7/6; X),  X = 1/2 + x/2,  L = 2,
 // where the values of F + F were computed with 50 digits. An elastic wall at y = 0 gives y = |x|.

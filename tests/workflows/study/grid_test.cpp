@@ -18,9 +18,9 @@ problem::Problem without_losses() {
           problem::ImpulseTrain{{1.0, "gaussian", 0.1, 0.0}}};
 }
 
-const GridRow& row(const GridStudy& study, int order, int level) {
+const GridStudyRow& row(const GridStudy& study, int order, int level) {
   const auto found = std::ranges::find_if(
-      study.rows, [&](const GridRow& r) { return r.order == order && r.level == level; });
+      study.rows, [&](const GridStudyRow& r) { return r.order == order && r.level == level; });
   return *found;
 }
 

@@ -30,12 +30,12 @@ inline study::GridStudy made_up_grid_study() {
   study.problem.name = "case1";
   for (const int order : {3, 5}) {
     for (int level = 1; level <= 3; ++level) {
-      study::GridRow row{.order = order,
-                         .level = level,
-                         .refinement = 0.5 * level,
-                         .nx = 10 * level,
-                         .nv = 20 * level,
-                         .solution = ok(fd, 0.1 * level * order)};
+      study::GridStudyRow row{.order = order,
+                              .level = level,
+                              .refinement = 0.5 * level,
+                              .nx = 10 * level,
+                              .nv = 20 * level,
+                              .solution = ok(fd, 0.1 * level * order)};
       row.density = transform::GridLevel{{}, {}, {.y2 = 0.4, .v2 = 0.5}};
       row.l1 = study::MarginalL1Distances{0.1 / level / order / order, 0.2 / level / order / order};
       if (level == 1) row.solution = not_ok(fd, transform::Status::inadmissible);
@@ -74,14 +74,15 @@ inline study::ClosureOrderStudy made_up_order_study() {
                                ok(closure_identity(formulation, order), 0.001 * order),
                                study::MarginalL1Distances{l1, 2 * l1},
                                0.02 * order};
-    row.solution.metrics = transform::MetricBuilder()
-                               .add_result("order", transform::value_from_count(order))
-                               .add_result("formulation", formulation.substr(0, 6))
-                               .add_diagnostic("iterations", transform::value_from_count(7 * order))
-                               .add_diagnostic("residual", 1e-15)
-                               .add_result("support.edge_density", 1e-14)
-                               .add_result("leading_form", std::string("negative"))
-                               .take_metrics();
+    row.solution.metrics =
+        transform::SolverMetricsBuilder()
+            .add_result_metric("order", transform::value_from_count(order))
+            .add_result_metric("formulation", formulation.substr(0, 6))
+            .add_diagnostic_metric("iterations", transform::value_from_count(7 * order))
+            .add_diagnostic_metric("residual", 1e-15)
+            .add_result_metric("support.edge_density", 1e-14)
+            .add_result_metric("leading_form", std::string("negative"))
+            .take_metrics();
     study.rows.push_back(row);
   };
   add("gaussian", 2, 0.004);
@@ -93,15 +94,15 @@ inline study::ClosureOrderStudy made_up_order_study() {
   lost.solution = not_ok(lost.solution.identity, transform::Status::not_converged);
   lost.l1.reset();
   lost.tail_y.reset();
-  lost.solution.metrics = transform::MetricBuilder()
-                              .add_result("branch.end", std::string("white_noise"))
-                              .add_result("branch.furthest", 0.655)
-                              .add_diagnostic("branch.points[0].fraction", 0.0)
-                              .add_diagnostic("branch.points[0].norm", 1.0)
-                              .add_diagnostic("branch.points[0].fold", false)
-                              .add_diagnostic("branch.points[1].fraction", 0.655)
-                              .add_diagnostic("branch.points[1].norm", 2.5)
-                              .add_diagnostic("branch.points[1].fold", true)
+  lost.solution.metrics = transform::SolverMetricsBuilder()
+                              .add_result_metric("branch.end", std::string("white_noise"))
+                              .add_result_metric("branch.furthest", 0.655)
+                              .add_diagnostic_metric("branch.points[0].fraction", 0.0)
+                              .add_diagnostic_metric("branch.points[0].norm", 1.0)
+                              .add_diagnostic_metric("branch.points[0].fold", false)
+                              .add_diagnostic_metric("branch.points[1].fraction", 0.655)
+                              .add_diagnostic_metric("branch.points[1].norm", 2.5)
+                              .add_diagnostic_metric("branch.points[1].fold", true)
                               .take_metrics();
   add("moment", 4, 0.008);
   add("moment", 6, 0.002);

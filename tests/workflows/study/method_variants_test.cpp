@@ -45,7 +45,7 @@ TEST(Kinds, IncludeExternallyRegisteredMethods) {
 
 TEST(Kinds, DistinguishDefaultsAndMethodsOfTheFullProblem) {
   for (const auto& variant : method_variants(methods::builtin_registry(), SolutionRole::closure)) {
-    EXPECT_EQ(variant.usual,
+    EXPECT_EQ(variant.is_default_variant,
               variant.name == "gaussian" || variant.name == "moment" || variant.name == "polar");
     EXPECT_EQ(variant.solves_full_problem(),
               variant.name == "moment" || variant.name == "moment-cut" || variant.name == "polar")

@@ -14,7 +14,7 @@ TEST(ClosureOrderStudy, ComparesEveryOrderWithADiscretisationOfTheFullProblem) {
   const auto study = study_closure_orders(tests::paper_case(1), {{"moment", "gaussian"}, {4, 2, 4}},
                                           methods::builtin_registry(), {});
   EXPECT_EQ(study.reference.id(), "fd-kf");
-  EXPECT_TRUE(study.reference.is_ok());
+  EXPECT_TRUE(study.reference.has_status_ok());
   ASSERT_EQ(study.rows.size(), 4u);
   const char* const ids[] = {"epc-moment-n2", "epc-moment-n4", "epc-gaussian-n2",
                              "epc-gaussian-n4"};
@@ -24,7 +24,7 @@ TEST(ClosureOrderStudy, ComparesEveryOrderWithADiscretisationOfTheFullProblem) {
   EXPECT_LT(study.rows[1].l1->ydot, study.rows[0].l1->ydot / 2);
   EXPECT_GT(*study.rows[0].tail_ydot, 0.5);
   EXPECT_LT(*study.rows[1].tail_ydot, *study.rows[0].tail_ydot);
-  EXPECT_FALSE(study.rows[3].solution.is_ok());  // need not converge
+  EXPECT_FALSE(study.rows[3].solution.has_status_ok());  // need not converge
   EXPECT_TRUE(has_converged(study));
 }
 
@@ -57,7 +57,8 @@ TEST(ClosureOrderStudy, RefusesUnknownFormulationsAndOrders) {
 
 TEST(ClosureOrderStudy, RefusesARegistryWithoutAReference) {
   methods::SolverRegistry registry;
-  registry.add(tests::toy_solver({"toy", "toy-flat", transform::SolutionRole::closure, true}));
+  registry.add_solver(
+      tests::toy_solver({"toy", "toy-flat", transform::SolutionRole::closure, true}));
   EXPECT_TRUE(refusal({{"flat"}, {2}}, registry).starts_with("no reference for the closures:"));
 }
 

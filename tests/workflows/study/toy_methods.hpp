@@ -76,7 +76,7 @@ inline methods::Solver toy_solver(const Toy& toy) {
     toy_description().validate(options);
     return methods::Method{
         toy.identity(options), values, false,
-        [=](const problem::Problem&, const methods::SolveContext& context) {
+        [=](const problem::Problem&, const methods::SolverInputContext& context) {
           const double off = toy.role == transform::SolutionRole::closure ? 0.5 / options.order : 0;
           return solution(toy.identity(options),
                           smooth_density({2.3 + off, 0.06, 2.4, 0}, context.axes.y_edges.back(),
@@ -89,12 +89,12 @@ inline methods::Solver toy_solver(const Toy& toy) {
 inline methods::SolverRegistry toy_registry() {
   using transform::SolutionRole;
   methods::SolverRegistry registry;
-  registry.add(toy_solver({"toy", "toy-flat", SolutionRole::closure, true}));
-  registry.add(toy_solver(
+  registry.add_solver(toy_solver({"toy", "toy-flat", SolutionRole::closure, true}));
+  registry.add_solver(toy_solver(
       {"other", "other-flat", SolutionRole::closure, true, problem::ImpactCondition::delta}));
-  registry.add(toy_solver({"plain", "plain", SolutionRole::closure}));
-  registry.add(toy_solver({"cells", "cells", SolutionRole::equation}));
-  registry.add(toy_solver(
+  registry.add_solver(toy_solver({"plain", "plain", SolutionRole::closure}));
+  registry.add_solver(toy_solver({"cells", "cells", SolutionRole::equation}));
+  registry.add_solver(toy_solver(
       {"dice", "dice", SolutionRole::simulation, false, problem::ImpactCondition::exact}));
   return registry;
 }

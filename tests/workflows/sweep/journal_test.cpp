@@ -15,7 +15,7 @@ namespace {
 class JournalFile : public testing::Test {
  protected:
   JournalFile() {
-    Journal journal(file_, plan_);
+    SweepJournal journal(file_, plan_);
     EXPECT_TRUE(journal.initial_content().points.empty());
     for (const std::size_t point : {4, 0, 2}) journal.append(tests::result_of(plan_, point));
   }
@@ -30,12 +30,12 @@ class JournalFile : public testing::Test {
 
 TEST_F(JournalFile, ResumesWithTheStoredPoints) {
   {
-    Journal again(file_, plan_);
+    SweepJournal again(file_, plan_);
     EXPECT_EQ(again.initial_content().damaged, 0);
     ASSERT_EQ(again.initial_content().points.size(), 3);
     again.append(tests::result_of(plan_, 5));
   }
-  const auto content = read_journal(file_);
+  const auto content = read_sweep_journal(file_);
   EXPECT_EQ(sweep_csv_text(make_sweep_results(plan_, content.points)),
             sweep_csv_text(make_sweep_results(
                 plan_, {tests::result_of(plan_, 0), tests::result_of(plan_, 2),
@@ -48,7 +48,7 @@ TEST_F(JournalFile, TruncatedLosesItsLastPointAtMost) {
   const auto last = whole.rfind('\n', whole.size() - 2) + 1;
   for (auto length = last + 1; length < whole.size(); length += 7) {
     rewrite(whole.substr(0, length));
-    Journal journal(file_, plan_);
+    SweepJournal journal(file_, plan_);
     EXPECT_EQ(journal.initial_content().points.size(), 2);
     EXPECT_EQ(journal.initial_content().damaged, 1);
     journal.append(tests::result_of(plan_, 2));
@@ -56,14 +56,14 @@ TEST_F(JournalFile, TruncatedLosesItsLastPointAtMost) {
   }
   // Cut in the first line: as a new journal.
   rewrite(whole.substr(0, 100));
-  EXPECT_TRUE(Journal(file_, plan_).initial_content().points.empty());
+  EXPECT_TRUE(SweepJournal(file_, plan_).initial_content().points.empty());
 }
 
 TEST_F(JournalFile, IgnoresDamagedLines) {
   std::string damaged = text();
   damaged[damaged.find("fd-kf", damaged.find('\n')) + 1] = 'x';
   rewrite(damaged);
-  Journal journal(file_, plan_);
+  SweepJournal journal(file_, plan_);
   EXPECT_EQ(journal.initial_content().points.size(), 2);
   EXPECT_EQ(journal.initial_content().damaged, 1);
 }
@@ -71,7 +71,7 @@ TEST_F(JournalFile, IgnoresDamagedLines) {
 TEST_F(JournalFile, RefusesAnotherPlan) {
   const SweepPlan other = tests::plan_of({parse_sweep_axis("impulse.rate", "1,2", "x")});
   try {
-    Journal journal(file_, other);
+    SweepJournal journal(file_, other);
     ADD_FAILURE();
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find("begun with another plan"), std::string::npos);
@@ -79,27 +79,27 @@ TEST_F(JournalFile, RefusesAnotherPlan) {
 }
 
 TEST_F(JournalFile, IsWrittenByOneProcessAtATime) {
-  const Journal first(file_, plan_);
-  EXPECT_THROW(Journal(file_, plan_), InputError);
+  const SweepJournal first(file_, plan_);
+  EXPECT_THROW(SweepJournal(file_, plan_), InputError);
 }
 
 TEST_F(JournalFile, RefusesOtherFiles) {
   for (const char* content : {"hello\n", "12345678 {}\n", "\n", "00000000 {\"schema\":1}\n"}) {
     rewrite(content);
-    EXPECT_THROW(Journal(file_, plan_), InputError) << content;
-    EXPECT_THROW(read_journal(file_), InputError) << content;
+    EXPECT_THROW(SweepJournal(file_, plan_), InputError) << content;
+    EXPECT_THROW(read_sweep_journal(file_), InputError) << content;
   }
-  EXPECT_THROW(read_journal(directory_.path() / "absent"), InputError);
+  EXPECT_THROW(read_sweep_journal(directory_.path() / "absent"), InputError);
 }
 
 TEST_F(JournalFile, TheFirstOfTwoLinesOfAPointCounts) {
   {
-    Journal journal(file_, plan_);
+    SweepJournal journal(file_, plan_);
     auto other = tests::result_of(plan_, 0);
     other.reference = "mcs";
     journal.append(other);
   }
-  const auto content = read_journal(file_);
+  const auto content = read_sweep_journal(file_);
   ASSERT_EQ(content.points.size(), 3);
   EXPECT_EQ(content.points[1].reference, "fd-kf");
 }
@@ -111,8 +111,8 @@ TEST_F(JournalFile, KeepsNaNAndAnyReason) {
   odd.methods[0].status = transform::Status::failed;
   odd.methods[0].reason = "\"two\"\nlines \xff";
   odd.methods[1].moments.reset();
-  Journal(file_, plan_).append(odd);
-  const auto points = read_journal(file_).points;
+  SweepJournal(file_, plan_).append(odd);
+  const auto points = read_sweep_journal(file_).points;
   EXPECT_TRUE(std::isnan(points.back().methods[0].moments->y2));
   EXPECT_EQ(points.back().methods[0].status, transform::Status::failed);
   EXPECT_TRUE(points.back().methods[0].reason.starts_with("\"two\"\\x0alines "))

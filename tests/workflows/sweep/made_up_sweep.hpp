@@ -12,10 +12,10 @@
 namespace fpkcheck::tests {
 
 inline sweep::SweepPlan plan_of(std::vector<sweep::SweepAxis> axes,
-                                sweep::PlanDesign design = sweep::PlanDesign::product,
+                                sweep::SweepPlanDesign design = sweep::SweepPlanDesign::product,
                                 const std::string& methods = "epc-gaussian-n2,fd-kf") {
   sweep::SweepPlan plan{.base = make_problem(), .axes = std::move(axes), .design = design};
-  plan.methods = methods::builtin_registry().select_methods(methods, {});
+  plan.methods = methods::builtin_registry().methods_selected_by_list(methods, {});
   plan.points = sweep::make_plan_points(plan.axes, design, 0);
   return plan;
 }
@@ -23,7 +23,8 @@ inline sweep::SweepPlan plan_of(std::vector<sweep::SweepAxis> axes,
 /// A plan with one closure and without its error estimate: milliseconds for each point.
 inline sweep::SweepPlan quick_plan(std::vector<sweep::SweepAxis> axes) {
   sweep::SweepPlan plan = plan_of(std::move(axes));
-  plan.methods = methods::builtin_registry().select_methods("epc-gaussian-n2", {{"accuracy", {}}});
+  plan.methods =
+      methods::builtin_registry().methods_selected_by_list("epc-gaussian-n2", {{"accuracy", {}}});
   return plan;
 }
 
@@ -34,10 +35,10 @@ inline sweep::SweepPlan small_plan() {
 }
 
 /// Numbers that identify the point and the method.
-inline sweep::PointResult result_of(const sweep::SweepPlan& plan, std::size_t point) {
-  sweep::PointResult result{.point = point,
-                            .seconds = 2 + 2 * static_cast<double>(point),
-                            .reference = plan.methods.back().id()};
+inline sweep::SweepPointResult result_of(const sweep::SweepPlan& plan, std::size_t point) {
+  sweep::SweepPointResult result{.point = point,
+                                 .seconds = 2 + 2 * static_cast<double>(point),
+                                 .reference = plan.methods.back().id()};
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
     const double number = static_cast<double>(point) + 0.1 * static_cast<double>(m);
     result.methods.push_back({.status = transform::Status::ok,
@@ -50,7 +51,7 @@ inline sweep::PointResult result_of(const sweep::SweepPlan& plan, std::size_t po
 }
 
 inline sweep::SweepResults results_of(const sweep::SweepPlan& plan) {
-  std::vector<sweep::PointResult> points;
+  std::vector<sweep::SweepPointResult> points;
   for (std::size_t p = 0; p < plan.points.size(); ++p) points.push_back(result_of(plan, p));
   return sweep::make_sweep_results(plan, points);
 }

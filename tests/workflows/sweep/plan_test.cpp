@@ -53,7 +53,7 @@ const SweepAxis kRates = parse_sweep_axis("impulse.rate", "1,2", "x");
 const SweepAxis kLosses = parse_sweep_axis("system.restitution", "0.8,0.9,1", "x");
 
 TEST(PlanPoints, OfAProductTheLastAxisVariesFastest) {
-  const PlanPoints points = make_plan_points({kRates, kLosses}, PlanDesign::product, 0);
+  const SweepPlanPoints points = make_plan_points({kRates, kLosses}, SweepPlanDesign::product, 0);
   ASSERT_EQ(points.size(), 6);
   EXPECT_EQ(points[1], (std::vector<base::Value>{1.0, 0.9}));
   EXPECT_EQ(points[3], (std::vector<base::Value>{2.0, 0.8}));
@@ -61,9 +61,9 @@ TEST(PlanPoints, OfAProductTheLastAxisVariesFastest) {
 
 TEST(PlanPoints, OfAListHaveTheKthValues) {
   const SweepAxis two = parse_sweep_axis("system.restitution", "0.8,0.9", "x");
-  EXPECT_EQ(make_plan_points({kRates, two}, PlanDesign::list, 0),
-            (PlanPoints{{1.0, 0.8}, {2.0, 0.9}}));
-  EXPECT_THROW(make_plan_points({kRates, kLosses}, PlanDesign::list, 0), InputError);
+  EXPECT_EQ(make_plan_points({kRates, two}, SweepPlanDesign::list, 0),
+            (SweepPlanPoints{{1.0, 0.8}, {2.0, 0.9}}));
+  EXPECT_THROW(make_plan_points({kRates, kLosses}, SweepPlanDesign::list, 0), InputError);
 }
 
 // Each sixteenth of each range gets the same number of points, unlike random points.
@@ -71,7 +71,7 @@ TEST(PlanPoints, OfASobolSequenceFillTheBoxEvenly) {
   const std::vector<SweepAxis> axes{parse_sweep_axis("impulse.rate", "log:0.1:10", "x"),
                                     parse_sweep_axis("system.restitution", "0.5:1", "x"),
                                     parse_sweep_axis("system.cubic", "1:2", "x")};
-  const PlanPoints points = make_plan_points(axes, PlanDesign::sobol, 255);
+  const SweepPlanPoints points = make_plan_points(axes, SweepPlanDesign::sobol, 255);
   ASSERT_EQ(points.size(), 255);
   for (std::size_t a = 0; a < axes.size(); ++a) {
     std::array<int, 16> counts{};
@@ -121,7 +121,7 @@ constexpr const char* kCase =
     "[impulse]\nrate = 1\nlaw = gaussian\nintensity = 0.1\n";
 
 TEST_F(PlanFile, HasACaseAndVariedKeys) {
-  const auto plan = read_plan(
+  const auto plan = read_sweep_plan(
       file(std::string("[sweep]\nmethods = epc,fd-kf ; all of them\ndesign = sobol\npoints = 7\n"
                        "accuracy = 0.1\n[vary]\nsystem.cubic = 0:1\nimpulse.rate=log:1:2\n") +
            kCase),
@@ -130,7 +130,7 @@ TEST_F(PlanFile, HasACaseAndVariedKeys) {
   EXPECT_EQ(plan.base.system.coefficients().damping, 0.3);
   ASSERT_EQ(plan.axes.size(), 2);
   EXPECT_EQ(plan.axes[1].definition_text(), "impulse.rate = log:1:2");
-  EXPECT_EQ(plan.design, PlanDesign::sobol);
+  EXPECT_EQ(plan.design, SweepPlanDesign::sobol);
   EXPECT_EQ(plan.points, 7);
   EXPECT_EQ(plan.methods, "epc,fd-kf");
   ASSERT_EQ(plan.options.size(), 1);
@@ -138,20 +138,21 @@ TEST_F(PlanFile, HasACaseAndVariedKeys) {
 }
 
 TEST_F(PlanFile, MayNameItsCaseOrBeACaseAlone) {
-  EXPECT_EQ(read_plan(file("[sweep]\ncase = case3\n[vary]\nsystem.cubic = 1,2\n"), {}).base.name,
-            "case3");
-  EXPECT_TRUE(read_plan(file(kCase), {}).axes.empty());
-  EXPECT_EQ(read_plan("case2", {}).base.name, "case2");
+  EXPECT_EQ(
+      read_sweep_plan(file("[sweep]\ncase = case3\n[vary]\nsystem.cubic = 1,2\n"), {}).base.name,
+      "case3");
+  EXPECT_TRUE(read_sweep_plan(file(kCase), {}).axes.empty());
+  EXPECT_EQ(read_sweep_plan("case2", {}).base.name, "case2");
 }
 
 std::string difference(const SweepPlan& before, const SweepPlan& now) {
-  return first_plan_difference(plan_json(before), plan_json(now));
+  return first_plan_difference(sweep_plan_json(before), sweep_plan_json(now));
 }
 
 TEST(PlanJson, IsReadBackUnchanged) {
   const SweepPlan plan = tests::plan_of({parse_sweep_axis("impulse.law", "gaussian,laplace", "x"),
                                          parse_sweep_axis("system.cubic", "log:1:100:3", "x")});
-  const auto json = results::Json::parse(plan_json(plan).dump());
+  const auto json = results::Json::parse(sweep_plan_json(plan).dump());
   const SweepPlan again = plan_from_json(json, methods::builtin_registry());
   EXPECT_EQ(again.points, plan.points);
   EXPECT_EQ(difference(plan, again), "");
@@ -174,8 +175,8 @@ TEST(PlanJson, ReportsTheFirstDifference) {
   EXPECT_EQ(with([](SweepPlan& p) { p.base = tests::make_problem({.damping = 0.2}); }),
             "/case/system/damping: 0.1 then, 0.2 now");
   EXPECT_EQ(with([](SweepPlan& p) {
-              p.methods = methods::builtin_registry().select_methods("epc-gaussian-n2,fd-kf",
-                                                                     {{"accuracy", 0.5}});
+              p.methods = methods::builtin_registry().methods_selected_by_list(
+                  "epc-gaussian-n2,fd-kf", {{"accuracy", 0.5}});
             }),
             "/methods/0/options/accuracy: 0.02 then, 0.5 now");
 }

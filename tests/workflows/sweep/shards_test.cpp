@@ -18,10 +18,10 @@ namespace {
 TEST(Shard, EveryPointIsInOne) {
   std::multiset<std::size_t> all;
   for (std::size_t i = 1; i <= 4; ++i) {
-    for (const auto point : Shard{i, 4}.point_numbers(10)) all.insert(point);
+    for (const auto point : SweepShard{i, 4}.point_numbers(10)) all.insert(point);
   }
   EXPECT_EQ(all, (std::multiset<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
-  EXPECT_EQ((Shard{2, 4}.point_numbers(10)), (std::vector<std::size_t>{1, 5, 9}));
+  EXPECT_EQ((SweepShard{2, 4}.point_numbers(10)), (std::vector<std::size_t>{1, 5, 9}));
 }
 
 TEST(Shard, IsReadFromTheNameOfItsJournal) {
@@ -38,24 +38,24 @@ TEST(Shard, IsReadFromTheNameOfItsJournal) {
 
 TEST(Shard, HoldsItsPoints) {
   for (std::size_t i = 1; i <= 4; ++i) {
-    for (const auto point : Shard{i, 4}.point_numbers(10)) {
-      EXPECT_EQ(Shard::containing(point, 4).number, i);
+    for (const auto point : SweepShard{i, 4}.point_numbers(10)) {
+      EXPECT_EQ(SweepShard::containing(point, 4).number, i);
     }
   }
 }
 
 TEST(Shard, IsReadFromITheSlashAndN) {
   EXPECT_EQ(parse_shard("3/16").journal_name(), "journal.3-of-16");
-  EXPECT_EQ(Shard{}.journal_name(), "journal");
+  EXPECT_EQ(SweepShard{}.journal_name(), "journal");
   for (const char* bad : {"", "3", "0/4", "5/4", "1/", "/4", "1/4x", "-1/4", "1.5/4"}) {
     EXPECT_THROW(parse_shard(bad), InputError) << bad;
   }
 }
 
 void write_shard(const SweepPlan& plan, const std::filesystem::path& directory,
-                 const Shard& shard) {
+                 const SweepShard& shard) {
   std::filesystem::create_directories(directory);
-  Journal journal(directory / shard.journal_name(), plan);
+  SweepJournal journal(directory / shard.journal_name(), plan);
   for (const auto point : shard.point_numbers(plan.points.size())) {
     journal.append(tests::result_of(plan, point));
   }
@@ -67,21 +67,21 @@ TEST(MergedSweep, JoinsShards) {
   write_shard(plan, directory.path() / "a", {1, 3});
   write_shard(plan, directory.path() / "a", {2, 3});
   write_shard(plan, directory.path() / "b", {3, 3});
-  const auto all =
-      merge_journals({directory.path() / "b", directory.path() / "a"}, methods::builtin_registry());
+  const auto all = merge_sweep_journals({directory.path() / "b", directory.path() / "a"},
+                                        methods::builtin_registry());
   EXPECT_TRUE(all.results.is_complete());
   EXPECT_TRUE(all.remarks.empty());
   EXPECT_EQ(sweep_csv_text(all.results), sweep_csv_text(tests::results_of(plan)));
 }
 
-std::string remark_without(const std::vector<Shard>& missing, std::size_t of) {
+std::string remark_without(const std::vector<SweepShard>& missing, std::size_t of) {
   const tests::TemporaryDirectory directory;
   const SweepPlan plan = tests::small_plan();
   for (std::size_t number = 1; number <= of; ++number) {
-    if (std::ranges::find(missing, number, &Shard::number) != missing.end()) continue;
+    if (std::ranges::find(missing, number, &SweepShard::number) != missing.end()) continue;
     write_shard(plan, directory.path(), {number, of});
   }
-  const auto all = merge_journals({directory.path()}, methods::builtin_registry());
+  const auto all = merge_sweep_journals({directory.path()}, methods::builtin_registry());
   EXPECT_FALSE(all.results.is_complete());
   EXPECT_EQ(all.remarks.size(), 1);
   return all.remarks.empty() ? "" : all.remarks[0];
@@ -100,8 +100,9 @@ TEST(MergedSweep, ReportsAnIncompleteShard) {
   const tests::TemporaryDirectory directory;
   const SweepPlan plan = tests::small_plan();
   write_shard(plan, directory.path(), {1, 2});
-  Journal(directory.path() / Shard{2, 2}.journal_name(), plan).append(tests::result_of(plan, 1));
-  const auto all = merge_journals({directory.path()}, methods::builtin_registry());
+  SweepJournal(directory.path() / SweepShard{2, 2}.journal_name(), plan)
+      .append(tests::result_of(plan, 1));
+  const auto all = merge_sweep_journals({directory.path()}, methods::builtin_registry());
   ASSERT_EQ(all.remarks.size(), 1);
   EXPECT_NE(all.remarks[0].find("--shard 2/2 (2 points)"), std::string::npos) << all.remarks[0];
 }
@@ -109,8 +110,8 @@ TEST(MergedSweep, ReportsAnIncompleteShard) {
 TEST(MergedSweep, WithoutShardsSuggestsToRepeatTheSweep) {
   const tests::TemporaryDirectory directory;
   const SweepPlan plan = tests::small_plan();
-  Journal(directory.path() / "journal", plan).append(tests::result_of(plan, 1));
-  const auto all = merge_journals({directory.path()}, methods::builtin_registry());
+  SweepJournal(directory.path() / "journal", plan).append(tests::result_of(plan, 1));
+  const auto all = merge_sweep_journals({directory.path()}, methods::builtin_registry());
   ASSERT_EQ(all.remarks.size(), 1);
   EXPECT_EQ(all.remarks[0].find("--shard"), std::string::npos) << all.remarks[0];
 }
@@ -120,10 +121,11 @@ TEST(MergedSweep, OtherPlansAndEmptyDirectoriesAreRefused) {
   write_shard(tests::small_plan(), directory.path(), {1, 2});
   write_shard(tests::plan_of({parse_sweep_axis("impulse.rate", "1,2", "x")}), directory.path(),
               {2, 2});
-  EXPECT_THROW(merge_journals({directory.path()}, methods::builtin_registry()), InputError);
+  EXPECT_THROW(merge_sweep_journals({directory.path()}, methods::builtin_registry()), InputError);
   const tests::TemporaryDirectory empty;
-  EXPECT_THROW(merge_journals({empty.path()}, methods::builtin_registry()), InputError);
-  EXPECT_THROW(merge_journals({empty.path() / "absent"}, methods::builtin_registry()), InputError);
+  EXPECT_THROW(merge_sweep_journals({empty.path()}, methods::builtin_registry()), InputError);
+  EXPECT_THROW(merge_sweep_journals({empty.path() / "absent"}, methods::builtin_registry()),
+               InputError);
 }
 
 }  // namespace

@@ -24,11 +24,11 @@ std::vector<std::size_t> all_of(const SweepPlan& plan) {
 
 TEST(PointQueue, AssignsEachPointOnceTheLongestFirst) {
   const SweepPlan plan = tests::plan_of({parse_sweep_axis("impulse.rate", "log:0.1:10:200", "x")});
-  PointQueue queue(plan, all_of(plan), {});
+  SweepPointQueue queue(plan, all_of(plan), {});
   const auto seconds = [&](std::size_t p) { return std::get<double>(plan.points[p][0]); };
   std::set<std::size_t> seen;
   std::vector<std::size_t> order;
-  for (auto point = queue.take_next_point(); point; point = queue.take_next_point()) {
+  for (auto point = queue.take_next_sweep_point(); point; point = queue.take_next_sweep_point()) {
     EXPECT_TRUE(seen.insert(*point).second);
     order.push_back(*point);
     queue.record_solve_time(*point, seconds(*point));
@@ -44,9 +44,9 @@ TEST(PointQueue, AssignsEachPointOnceTheLongestFirst) {
 
 TEST(PointQueue, SkipsSolvedPoints) {
   const SweepPlan plan = tests::small_plan();
-  PointQueue queue(plan, {0, 2, 4}, {tests::result_of(plan, 2), tests::result_of(plan, 1)});
+  SweepPointQueue queue(plan, {0, 2, 4}, {tests::result_of(plan, 2), tests::result_of(plan, 1)});
   std::set<std::size_t> seen;
-  for (auto point = queue.take_next_point(); point; point = queue.take_next_point())
+  for (auto point = queue.take_next_sweep_point(); point; point = queue.take_next_sweep_point())
     seen.insert(*point);
   EXPECT_EQ(seen, (std::set<std::size_t>{0, 4}));
   EXPECT_EQ(queue.state().done, 1);
@@ -84,7 +84,7 @@ TEST(JournaledPointQueue, ReportsThePointsOfAResumedSweep) {
 TEST(JournaledPointQueue, OfAShardCountsItsPoints) {
   const tests::TemporaryDirectory directory;
   const SweepPlan plan = tests::small_plan();
-  Journal(directory.path() / "journal.2-of-3", plan).append(tests::result_of(plan, 1));
+  SweepJournal(directory.path() / "journal.2-of-3", plan).append(tests::result_of(plan, 1));
   const std::string text =
       JournaledPointQueue(plan, directory.path(), {2, 3}, {}).resumption_text();
   EXPECT_TRUE(says(text, "journal.2-of-3: 1 of 2 points kept, 1 to solve")) << text;
@@ -96,9 +96,9 @@ using transform::Status;
 TEST(SolvePoint, AgreesWithARunWhereErrorsComeFromResiduals) {
   SweepPlan plan = tests::plan_of({parse_sweep_axis("system.restitution", "0.9,0.98", "x")});
   plan.closure_errors = ClosureErrorSource::residuals;
-  plan.methods = methods::builtin_registry().select_methods("epc-gaussian-n4,fd-white,fd-kf",
-                                                            {{"stepper", "direct"}});
-  const auto point = solve_point(plan, 1);
+  plan.methods = methods::builtin_registry().methods_selected_by_list(
+      "epc-gaussian-n4,fd-white,fd-kf", {{"stepper", "direct"}});
+  const auto point = solve_sweep_point(plan, 1);
   const auto run = methods::run_cases({plan.problem_at(1)}, plan.methods, 1, {});
   EXPECT_EQ(point.result.reference, "fd-kf");
   EXPECT_TRUE(point.curves.empty());
@@ -121,9 +121,9 @@ TEST(SolvePoint, AgreesWithARunWhereErrorsComeFromResiduals) {
 TEST(SolvePoint, ErrorOfAClosureIsDistancePlusReferenceError) {
   SweepPlan plan = tests::plan_of({parse_sweep_axis("system.restitution", "0.9,0.98", "x")});
   // In case 1 the L1 distances of n = 2 are 0.0044 and 0.030, those of n = 6 0.0023 and 0.0047.
-  plan.methods = methods::builtin_registry().select_methods("epc-gaussian-n2,epc-gaussian-n6,fd-kf",
-                                                            {{"stepper", "direct"}});
-  const auto found = solve_point(plan, 1).result.methods;
+  plan.methods = methods::builtin_registry().methods_selected_by_list(
+      "epc-gaussian-n2,epc-gaussian-n6,fd-kf", {{"stepper", "direct"}});
+  const auto found = solve_sweep_point(plan, 1).result.methods;
   ASSERT_TRUE(found[0].l1 && found[1].l1 && found[2].error);
   EXPECT_EQ(found[0].status, Status::inaccurate);
   EXPECT_NE(found[0].reason.find("its L1 distance from fd-kf is 0.0044 in p(y) and 0.03 in p(y')"),
@@ -138,10 +138,10 @@ TEST(SolvePoint, ErrorOfAClosureIsDistancePlusReferenceError) {
 
 TEST(SolvePoint, ErrorOfAClosureComesFromResidualsWithoutAReference) {
   SweepPlan plan = tests::plan_of({parse_sweep_axis("system.restitution", "0.9,0.98", "x")});
-  plan.methods = methods::builtin_registry().select_methods("epc-gaussian-n2", {});
-  const auto by_default = solve_point(plan, 1).result.methods[0];
+  plan.methods = methods::builtin_registry().methods_selected_by_list("epc-gaussian-n2", {});
+  const auto by_default = solve_sweep_point(plan, 1).result.methods[0];
   plan.closure_errors = ClosureErrorSource::residuals;
-  const auto by_residuals = solve_point(plan, 1).result.methods[0];
+  const auto by_residuals = solve_sweep_point(plan, 1).result.methods[0];
   EXPECT_EQ(by_default.status, Status::inaccurate);
   EXPECT_EQ(by_default.reason, by_residuals.reason);
   EXPECT_EQ(by_default.error, by_residuals.error);
@@ -150,7 +150,7 @@ TEST(SolvePoint, ErrorOfAClosureComesFromResidualsWithoutAReference) {
 // No variance remains for this mean: E[Y]^2 must be below intensity / rate = 0.1.
 TEST(SolvePoint, InconsistentValuesAreAFailedResult) {
   const SweepPlan plan = tests::plan_of({parse_sweep_axis("impulse.mean", "0,0.5", "x")});
-  const auto point = solve_point(plan, 1).result;
+  const auto point = solve_sweep_point(plan, 1).result;
   ASSERT_EQ(point.methods.size(), 2);
   EXPECT_EQ(point.methods[0].status, Status::failed);
   EXPECT_NE(point.methods[0].reason.find("mean"), std::string::npos);
@@ -162,7 +162,7 @@ TEST(SolvePoint, AMethodThatHasNoMemoryFailsAlone) {
   methods::Method greedy = plan.methods[0];
   greedy.solve = [](const auto&, const auto&) -> transform::Solution { throw std::bad_alloc(); };
   plan.methods.insert(plan.methods.begin(), greedy);
-  const auto point = solve_point(plan, 0).result;
+  const auto point = solve_sweep_point(plan, 0).result;
   EXPECT_TRUE(point.methods[0].reason.starts_with("out of memory"));
   EXPECT_TRUE(point.methods[1].moments);
 }
@@ -173,7 +173,7 @@ TEST(SolveLeft, StoresEveryPointAndItsMarginals) {
   plan.marginals = true;
   std::size_t told = 0;
   {
-    JournaledPointQueue progress(plan, directory.path(), {}, [&](const PointQueue::State& at) {
+    JournaledPointQueue progress(plan, directory.path(), {}, [&](const SweepPointQueue::State& at) {
       EXPECT_EQ(at.total, 5);
       told = at.done;
     });
@@ -183,7 +183,7 @@ TEST(SolveLeft, StoresEveryPointAndItsMarginals) {
   EXPECT_EQ(told, 5);
   EXPECT_TRUE(std::filesystem::exists(directory.path() / "marginals" / "000004.csv"));
   JournaledPointQueue again(plan, directory.path(), {}, {});
-  EXPECT_FALSE(again.take_next_point());
+  EXPECT_FALSE(again.take_next_sweep_point());
   EXPECT_EQ(again.state().done, 5);
 }
 

@@ -77,7 +77,7 @@ TEST(SweepNetCdf, OfAProductHasItsKeysAsDimensions) {
 TEST(SweepNetCdf, OfAListHasItsPointsAndWords) {
   const SweepPlan plan = tests::plan_of({parse_sweep_axis("impulse.law", "gaussian,laplace", "x"),
                                          parse_sweep_axis("system.cubic", "1,2", "x")},
-                                        PlanDesign::list);
+                                        SweepPlanDesign::list);
   auto file = reader_of(tests::results_of(plan));
   EXPECT_EQ(file.dimension_names("v2"), (std::vector<std::string>{"point", "solution"}));
   EXPECT_EQ(file.read_labels("impulse.law"), (std::vector<std::string>{"gaussian", "laplace"}));

@@ -23,7 +23,7 @@ Ids promised_ids(const MethodRecommendation& advice) {
 }
 
 Ids promised_ids(const ValidityMap& map, double accuracy = 0.01,
-                 const MapCoordinates& coordinates = made_up_place()) {
+                 const ValidityMapCoordinates& coordinates = made_up_place()) {
   return promised_ids(recommend_methods(coordinates, accuracy, map));
 }
 
@@ -119,7 +119,7 @@ TEST(MethodRecommendation, CountsUnderestimatedErrors) {
   map.points[1].method_results[0] = ValidityMapResult{Status::ok, 0.02, true, 0.03};
   const auto underestimated = [&](double accuracy) {
     const auto found = recommend_methods(made_up_place(), accuracy, map);
-    return std::ranges::find(found.methods, "epc-moment-n4", &NearbyMethodResults::id)
+    return std::ranges::find(found.methods, "epc-moment-n4", &MethodResultsAtNearbyPoints::id)
         ->underestimated;
   };
   EXPECT_EQ(underestimated(0.01), 1);

@@ -9,7 +9,7 @@
 namespace fpkcheck::tests {
 
 /// Ten impulses per decay time, damping ratio 0.05, linear, r = 0.9, gaussian.
-inline sweep::MapCoordinates made_up_place(double impulses = 10, double restitution = 0.9) {
+inline sweep::ValidityMapCoordinates made_up_place(double impulses = 10, double restitution = 0.9) {
   return {.groups = {.impulses_per_decay_time = impulses, .damping_ratio = 0.05, .cubic_share = 0},
           .restitution = restitution,
           .law = "gaussian",

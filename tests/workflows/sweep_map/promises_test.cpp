@@ -29,7 +29,7 @@ LeftOut left_out(double accuracy) {
   LeftOut found;
   ValidityMap map = shipped_validity_map();
   for (auto& point : map.points) {
-    const MapCoordinates coordinates = point.coordinates;
+    const ValidityMapCoordinates coordinates = point.coordinates;
     point.coordinates.law = "left out";
     const auto promised =
         recommend_methods(coordinates, accuracy, map).sufficiently_accurate_methods();
@@ -41,8 +41,8 @@ LeftOut left_out(double accuracy) {
     const auto& answer = point.method_results[static_cast<std::size_t>(m)];
     if (!answer || promised.front().id == map.methods.back()) continue;
     ++found.approximate;
-    found.said += answer->is_ok() ? 0 : 1;
-    if (!answer->is_ok() || *answer->l1 < accuracy) continue;
+    found.said += answer->has_status_ok() ? 0 : 1;
+    if (!answer->has_status_ok() || *answer->l1 < accuracy) continue;
     ++found.missed;
     found.worst = std::max(found.worst, *answer->l1 / accuracy);
   }
@@ -93,12 +93,12 @@ TEST(Promises, HoldForProblemsBetweenThePoints) {
     const auto promised = recommend_methods(problem, kAccuracy, shipped_validity_map())
                               .sufficiently_accurate_methods();
     if (promised.empty() || promised.front().id == "fd-kf") continue;
-    SCOPED_TRACE(problem.name + ": " + problem::parameters_text(problem));
+    SCOPED_TRACE(problem.name + ": " + problem::non_default_parameters_text(problem));
     const std::string id = promised.front().id;
     SweepPlan plan{.base = problem, .axes = {}, .points = {{}}};
-    plan.methods = methods::builtin_registry().select_methods(id + ",fd-kf",
-                                                              {{"stepper", std::string("direct")}});
-    const auto result = solve_point(plan, 0).result;
+    plan.methods = methods::builtin_registry().methods_selected_by_list(
+        id + ",fd-kf", {{"stepper", std::string("direct")}});
+    const auto result = solve_sweep_point(plan, 0).result;
     ASSERT_EQ(result.reference, "fd-kf");
     const auto& closure = result.methods.front();
     EXPECT_EQ(closure.status, transform::Status::ok) << id << ": " << closure.reason;

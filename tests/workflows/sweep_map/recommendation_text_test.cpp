@@ -63,7 +63,7 @@ TEST(AdviceText, ListsLargeErrorsAndMissingDensities) {
 }
 
 TEST(AdviceText, OutsideTheMapHasMethodsWithErrorEstimates) {
-  MapCoordinates mean = made_up_place();
+  ValidityMapCoordinates mean = made_up_place();
   mean.relative_mean = -0.3;
   EXPECT_EQ(
       recommendation_text(recommend_methods(mean, 0.01, made_up_map()), kSetting, 200),
@@ -81,7 +81,7 @@ Status and stated error of a solution refer to this problem itself.
 }
 
 TEST(AdviceJson, HasAllMethodsAndIsJsonWhereNothingIsNear) {
-  const auto json_of = [](const MapCoordinates& coordinates) {
+  const auto json_of = [](const ValidityMapCoordinates& coordinates) {
     return nlohmann::json::parse(recommendation_json(
         recommend_methods(coordinates, 0.01, made_up_map()), kSetting, "asked"));
   };
@@ -90,7 +90,7 @@ TEST(AdviceJson, HasAllMethodsAndIsJsonWhereNothingIsNear) {
   EXPECT_EQ(near["methods"].size(), 3);
   EXPECT_EQ(near["methods"][1]["command"], "solve by epc-polar-n6");
   EXPECT_EQ(near["outside"], false);
-  MapCoordinates law = made_up_place();
+  ValidityMapCoordinates law = made_up_place();
   law.law = "uniform";
   const auto outside = json_of(law);
   EXPECT_TRUE(outside["nearest"].is_null());

@@ -68,7 +68,7 @@ TEST(ReadValidityMap, ReadsEveryLetterAndEmptyCells) {
   EXPECT_EQ(status_of("p5")->status, Status::ill_posed);
   EXPECT_EQ(status_of("f5")->status, Status::failed);
   EXPECT_EQ(status_of("u5")->status, Status::not_offered);
-  EXPECT_TRUE(status_of(".1x5")->is_ok());
+  EXPECT_TRUE(status_of(".1x5")->has_status_ok());
   EXPECT_TRUE(status_of(".1x5")->underestimated);
   EXPECT_FALSE(status_of(""));
 }
@@ -112,40 +112,41 @@ TEST(ShippedValidityMap, HasExistingMethods) {
 using tests::made_up_place;
 
 TEST(Distance, HasItsUnits) {
-  const MapCoordinates here = made_up_place();
-  EXPECT_EQ(map_distance(here, here), 0);
-  EXPECT_NEAR(map_distance(here, made_up_place(10 * std::exp(1.0))), 1, 1e-12);
-  EXPECT_NEAR(map_distance(here, made_up_place(10, 0.8)), 1, 1e-12);
-  MapCoordinates other = here;
+  const ValidityMapCoordinates here = made_up_place();
+  EXPECT_EQ(validity_map_distance(here, here), 0);
+  EXPECT_NEAR(validity_map_distance(here, made_up_place(10 * std::exp(1.0))), 1, 1e-12);
+  EXPECT_NEAR(validity_map_distance(here, made_up_place(10, 0.8)), 1, 1e-12);
+  ValidityMapCoordinates other = here;
   other.groups.damping_ratio *= std::exp(-1.0);
-  EXPECT_NEAR(map_distance(here, other), 1, 1e-12);
+  EXPECT_NEAR(validity_map_distance(here, other), 1, 1e-12);
   other = here;
   other.groups.cubic_share = 0.2;
-  EXPECT_NEAR(map_distance(here, other), 1, 1e-12);
+  EXPECT_NEAR(validity_map_distance(here, other), 1, 1e-12);
 }
 
 TEST(Distance, AddsSquares) {
-  MapCoordinates other = made_up_place(10 * std::exp(1.0), 0.8);
+  ValidityMapCoordinates other = made_up_place(10 * std::exp(1.0), 0.8);
   other.groups.cubic_share = 0.2;
   other.groups.damping_ratio *= std::exp(1.0);
-  EXPECT_NEAR(map_distance(made_up_place(), other), 2, 1e-12);
-  EXPECT_NEAR(map_distance(other, made_up_place()), 2, 1e-12);
+  EXPECT_NEAR(validity_map_distance(made_up_place(), other), 2, 1e-12);
+  EXPECT_NEAR(validity_map_distance(other, made_up_place()), 2, 1e-12);
 }
 
 TEST(Distance, IsInfiniteBetweenDifferentLawsOrMeans) {
-  MapCoordinates law = made_up_place(), mean = made_up_place();
+  ValidityMapCoordinates law = made_up_place(), mean = made_up_place();
   law.law = "uniform";
   mean.relative_mean = 0.1;
-  EXPECT_TRUE(std::isinf(map_distance(made_up_place(), law)));
-  EXPECT_TRUE(std::isinf(map_distance(made_up_place(), mean)));
+  EXPECT_TRUE(std::isinf(validity_map_distance(made_up_place(), law)));
+  EXPECT_TRUE(std::isinf(validity_map_distance(made_up_place(), mean)));
 }
 
 TEST(PlaceOf, HaveTheRelativeMean) {
   // E[Y^2] = 0.1 / 0.4 = 0.25.
-  EXPECT_NEAR(map_coordinates(tests::make_problem({.rate = 0.4, .mean = -0.2})).relative_mean, -0.4,
-              1e-12);
-  EXPECT_EQ(map_coordinates(tests::make_problem({.law = "laplace"})).law, "laplace");
-  EXPECT_EQ(map_coordinates(tests::make_problem({.restitution = 0.7})).restitution, 0.7);
+  EXPECT_NEAR(
+      validity_map_coordinates(tests::make_problem({.rate = 0.4, .mean = -0.2})).relative_mean,
+      -0.4, 1e-12);
+  EXPECT_EQ(validity_map_coordinates(tests::make_problem({.law = "laplace"})).law, "laplace");
+  EXPECT_EQ(validity_map_coordinates(tests::make_problem({.restitution = 0.7})).restitution, 0.7);
 }
 
 }  // namespace

@@ -177,7 +177,7 @@ TEST(Scatter, MediansAreOfOkSolutions) {
 TEST(Scatter, PartsOfARangeHaveMediansOfSeveralPoints) {
   const auto results = tests::made_up_sweep(tests::made_up_plan(
       {{"system.restitution", "0.6:1"}, {"impulse.rate", "log:0.1:10"}, {"system.cubic", "0:1"}},
-      PlanDesign::sobol, 40));
+      SweepPlanDesign::sobol, 40));
   const auto figure = distance_scatter_figure(SweepView(results));
   const auto& panel = figure.panels[0];
   EXPECT_EQ(tests::series_of(panel, "fd-white").points.size(), 40u);

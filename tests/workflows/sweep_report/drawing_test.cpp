@@ -26,11 +26,12 @@ std::vector<SweepResults> all_kinds() {
                            {kFiveRestitutions, kThreeRates, kTwoLaws}}) {
     kinds.push_back(tests::made_up_sweep(axes));
   }
-  kinds.push_back(tests::made_up_sweep(tests::made_up_plan({restitutions}, PlanDesign::sobol, 9)));
   kinds.push_back(
-      tests::made_up_sweep(tests::made_up_plan({restitutions, rates}, PlanDesign::sobol, 9)));
+      tests::made_up_sweep(tests::made_up_plan({restitutions}, SweepPlanDesign::sobol, 9)));
+  kinds.push_back(
+      tests::made_up_sweep(tests::made_up_plan({restitutions, rates}, SweepPlanDesign::sobol, 9)));
   kinds.push_back(tests::made_up_sweep(
-      tests::made_up_plan({restitutions, rates, cubics}, PlanDesign::sobol, 9)));
+      tests::made_up_plan({restitutions, rates, cubics}, SweepPlanDesign::sobol, 9)));
   // A single cell, and a row of cells.
   kinds.push_back(tests::made_up_sweep({{"system.restitution", "0.6"}, {"impulse.rate", "1"}}));
   kinds.push_back(tests::made_up_sweep({kFiveRestitutions, {"impulse.rate", "1"}}));

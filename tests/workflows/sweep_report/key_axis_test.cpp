@@ -11,7 +11,9 @@ namespace {
 
 using tests::contains;
 
-KeyAxis axis_of(const tests::KeyAndValues& axis) { return {tests::made_up_plan({axis}), 0}; }
+SweepParameterAxis axis_of(const tests::KeyAndValues& axis) {
+  return {tests::made_up_plan({axis}), 0};
+}
 
 TEST(KeyAxis, IsLogarithmicForLogarithmicSpacing) {
   const auto even = axis_of(tests::kFiveRestitutions).figure_axis();
@@ -26,7 +28,7 @@ TEST(KeyAxis, IsLogarithmicForLogarithmicSpacing) {
 }
 
 TEST(KeyAxis, PlacesWordsAtEqualDistances) {
-  const KeyAxis laws = axis_of(tests::kTwoLaws);
+  const SweepParameterAxis laws = axis_of(tests::kTwoLaws);
   EXPECT_TRUE(laws.is_categorical());
   EXPECT_EQ(laws.coordinate(std::string("laplace")), 1);
   EXPECT_EQ(tests::tics_of(laws.figure_axis()), "gaussian 0, laplace 1");
@@ -35,23 +37,24 @@ TEST(KeyAxis, PlacesWordsAtEqualDistances) {
 }
 
 TEST(KeyAxis, OfCellsHasRoundNumbersAtTheirPositions) {
-  const KeyAxis restitution = axis_of(tests::kFiveRestitutions);
+  const SweepParameterAxis restitution = axis_of(tests::kFiveRestitutions);
   EXPECT_EQ(restitution.cell_index(0.8), 2u);
   // 0.7 is between the first cell, 0, and the third cell.
-  EXPECT_TRUE(contains(tests::tics_of(restitution.cell_axis()), "0.7 1, "));
-  EXPECT_TRUE(contains(tests::tics_of(axis_of(tests::kThreeRates).cell_axis()), ", 1 1, "));
+  EXPECT_TRUE(contains(tests::tics_of(restitution.figure_axis_of_cells()), "0.7 1, "));
+  EXPECT_TRUE(
+      contains(tests::tics_of(axis_of(tests::kThreeRates).figure_axis_of_cells()), ", 1 1, "));
   // The cells are in the order of the numbers, also for a decreasing range.
   EXPECT_EQ(axis_of({"system.restitution", "1:0.6:5"}).cell_index(0.6), 0u);
 }
 
 TEST(KeyAxis, OfAListNamesItsValues) {
-  EXPECT_EQ(tests::tics_of(axis_of({"impulse.rate", "0.3,0.7,0.4"}).cell_axis()),
+  EXPECT_EQ(tests::tics_of(axis_of({"impulse.rate", "0.3,0.7,0.4"}).figure_axis_of_cells()),
             "0.3 0, 0.4 1, 0.7 2");
 }
 
 TEST(KeyAxis, OfASobolSequenceHasTheValuesOfItsPoints) {
-  const KeyAxis axis(tests::made_up_plan({{"system.restitution", "0.6:1"}}, PlanDesign::sobol, 7),
-                     0);
+  const SweepParameterAxis axis(
+      tests::made_up_plan({{"system.restitution", "0.6:1"}}, SweepPlanDesign::sobol, 7), 0);
   EXPECT_EQ(axis.values().size(), 7u);
   EXPECT_TRUE(std::ranges::is_sorted(axis.values()));
 }

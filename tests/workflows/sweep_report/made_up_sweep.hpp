@@ -18,9 +18,9 @@ using KeyAndValues = std::pair<std::string, std::string>;
 /// Indices of the methods.
 enum MadeUpMethod { made_up_gaussian, made_up_moment, made_up_white, made_up_reference };
 
-inline sweep::SweepPlan made_up_plan(const std::vector<KeyAndValues>& axes,
-                                     sweep::PlanDesign design = sweep::PlanDesign::product,
-                                     std::size_t sobol_points = 0) {
+inline sweep::SweepPlan made_up_plan(
+    const std::vector<KeyAndValues>& axes,
+    sweep::SweepPlanDesign design = sweep::SweepPlanDesign::product, std::size_t sobol_points = 0) {
   using problem::DensityEquation;
   using problem::ImpactCondition;
   sweep::SweepPlan plan{.base = paper_case(1), .axes = {}, .design = design};
@@ -42,14 +42,14 @@ inline sweep::SweepPlan made_up_plan(const std::vector<KeyAndValues>& axes,
 /// gaussian 0.4. gaussian is inadmissible except at the second point. fd-kf is the reference.
 inline sweep::SweepResults made_up_sweep(sweep::SweepPlan plan) {
   using transform::Status;
-  std::vector<sweep::PointResult> points;
+  std::vector<sweep::SweepPointResult> points;
   for (std::size_t k = 0; k < plan.points.size(); ++k) {
     const double part = plan.points.size() == 1 ? 0
                                                 : static_cast<double>(k) /
                                                       (static_cast<double>(plan.points.size()) - 1);
     const double l1 = 0.2 * std::pow(0.01, part);
     const transform::Moments moments{.y2 = 0.4 + 0.1 * part, .v2 = 0.5 + 0.1 * part};
-    sweep::PointResult point{.point = k, .reference = "fd-kf"};
+    sweep::SweepPointResult point{.point = k, .reference = "fd-kf"};
     point.methods = {{.status = k == 1 ? Status::ok : Status::inadmissible,
                       .reason = k == 1 ? "" : "it is " + std::to_string(k) + ".5 off",
                       .seconds = 0.01,
@@ -79,7 +79,7 @@ inline sweep::SweepResults made_up_sweep(const std::vector<KeyAndValues>& axes) 
 }
 
 /// The result of a solver that failed.
-inline sweep::MethodResult made_up_failure(const std::string& reason = "it broke down") {
+inline sweep::SweepMethodResult made_up_failure(const std::string& reason = "it broke down") {
   return {.status = transform::Status::failed, .reason = reason, .seconds = 0.1};
 }
 

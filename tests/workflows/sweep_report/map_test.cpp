@@ -113,8 +113,9 @@ TEST(Map, MarksTheReferenceWhereItIsNotAlwaysTheSame) {
 }
 
 TEST(Map, OfScatteredPointsHasDiscs) {
-  const auto figure = map_of(tests::made_up_sweep(tests::made_up_plan(
-      {{"system.restitution", "0.6:1"}, {"impulse.rate", "log:0.1:10"}}, PlanDesign::sobol, 12)));
+  const auto figure = map_of(tests::made_up_sweep(
+      tests::made_up_plan({{"system.restitution", "0.6:1"}, {"impulse.rate", "log:0.1:10"}},
+                          SweepPlanDesign::sobol, 12)));
   const auto& panel = figure.panels[1];
   EXPECT_EQ(panel.map->discs.size(), 12u);
   EXPECT_TRUE(panel.map->values.empty());

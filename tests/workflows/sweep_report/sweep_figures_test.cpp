@@ -35,7 +35,7 @@ TEST(SweepPictures, AreCurvesOverOneKey) {
 TEST(SweepPictures, AreMapsOverTwo) {
   EXPECT_EQ(stems(tests::made_up_sweep({tests::kFiveRestitutions, tests::kThreeRates})), kMap);
   EXPECT_EQ(stems(tests::made_up_sweep(tests::made_up_plan(
-                {{"system.restitution", "0.6,0.7"}, tests::kTwoLaws}, PlanDesign::list))),
+                {{"system.restitution", "0.6,0.7"}, tests::kTwoLaws}, SweepPlanDesign::list))),
             kMap);
 }
 

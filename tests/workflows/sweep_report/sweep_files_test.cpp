@@ -49,8 +49,8 @@ TEST(SweepFiles, PagesHavePicturesAsSvg) {
 TEST(SweepFiles, PagesOfManyPointsStaySmall) {
   if (!tests::gnuplot_exists()) GTEST_SKIP() << "gnuplot is not installed";
   constexpr std::uintmax_t kLargest = 1'500'000;
-  for (const auto design : {PlanDesign::product, PlanDesign::sobol}) {
-    const bool is_product = design == PlanDesign::product;
+  for (const auto design : {SweepPlanDesign::product, SweepPlanDesign::sobol}) {
+    const bool is_product = design == SweepPlanDesign::product;
     const tests::TemporaryDirectory directory;
     const auto plan =
         is_product

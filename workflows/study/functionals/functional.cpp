@@ -17,8 +17,8 @@ namespace fpkcheck::study {
 
 using transform::Status;
 
-std::vector<SelectedMethod> select_methods(const FunctionalOptions& options,
-                                           SelectableMethods selectable) {
+std::vector<SelectedMethod> methods_selected_by_list(const FunctionalOptions& options,
+                                                     SelectableMethods selectable) {
   const bool has_closures = selectable == SelectableMethods::with_closures;
   const bool has_characteristics = selectable == SelectableMethods::with_characteristics;
   std::vector<SelectedMethod> methods;
@@ -34,14 +34,14 @@ std::vector<SelectedMethod> select_methods(const FunctionalOptions& options,
       method.fd->accuracy = options.accuracy;
       method.fd->max_seconds = options.max_seconds;
     } else if (method.mcs) {
-      method.identity = mcs::identity(*method.mcs);
+      method.identity = mcs::solution_identity(*method.mcs);
       method.identity.plot_style = methods::simulation_style(method.identity);
       method.mcs->time = options.time;
       method.mcs->seed = options.seed;
       method.mcs->threads = options.threads;
     } else if (method.epc) {
       epc::validate(*method.epc);
-      method.identity = epc::identity(*method.epc);
+      method.identity = epc::solution_identity(*method.epc);
       method.identity.plot_style = methods::closure_style(method.identity);
       method.epc->max_seconds = options.max_seconds;
     } else if (has_characteristics && id == "characteristics") {
@@ -78,7 +78,7 @@ void for_each_selected_method(const problem::Problem& problem, const FunctionalO
                               const methods::ProgressListener& listener,
                               const std::function<void(const SelectedMethod&)>& compute,
                               SelectableMethods selectable) {
-  auto selected = select_methods(options, selectable);
+  auto selected = methods_selected_by_list(options, selectable);
   for (std::size_t k = 0; k < selected.size(); ++k) {
     const auto progress = [&](double fraction) {
       if (!listener) return;
@@ -118,7 +118,7 @@ std::string error_kind_text(bool has_standard_errors) {
 }
 
 void append_value_columns(const std::string& id, const std::string& header,
-                          bool has_standard_errors, std::vector<TableColumn>& columns,
+                          bool has_standard_errors, std::vector<StudyTableColumn>& columns,
                           const char* format) {
   columns.push_back({id, header, id, format});
   columns.push_back({id, has_standard_errors ? "std err" : "error", id + "-error", "{:.1e}"});

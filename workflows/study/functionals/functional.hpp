@@ -80,11 +80,11 @@ base::Description<Options> with_functional_options(base::Description<Options> ow
 /// `bounds`, `epc` and `mcs` has a value, the options of the method.
 struct SelectedMethod {
   transform::SolutionIdentity identity;  ///< with the plot style of the method
-  std::optional<fd_fpk::Options> fd = {};
+  std::optional<fd_fpk::FiniteVolumeOptions> fd = {};
   std::optional<backward::PassageCollocationOptions> characteristics = {};
   std::optional<backward::PassageBoundsOptions> bounds = {};
-  std::optional<epc::Options> epc = {};
-  std::optional<mcs::Options> mcs = {};
+  std::optional<epc::ClosureOptions> epc = {};
+  std::optional<mcs::SimulationOptions> mcs = {};
 };
 
 enum class SelectableMethods {
@@ -96,7 +96,7 @@ enum class SelectableMethods {
 /// Returns the methods of the comma-separated list FunctionalOptions::methods. The item "fd"
 /// selects "fd-kf".
 /// @throws InputError if an item selects no method, or a method that is not selectable
-std::vector<SelectedMethod> select_methods(
+std::vector<SelectedMethod> methods_selected_by_list(
     const FunctionalOptions& options,
     SelectableMethods selectable = SelectableMethods::finite_volumes_and_simulations);
 
@@ -106,7 +106,7 @@ std::vector<SelectedMethod>::const_iterator find_method(const std::vector<Select
 
 /// Calls `compute` with each selected method. The listener receives the progress of each
 /// simulation.
-/// @throws InputError as select_methods()
+/// @throws InputError as methods_selected_by_list()
 void for_each_selected_method(
     const problem::Problem& problem, const FunctionalOptions& options,
     const methods::ProgressListener& listener,
@@ -129,7 +129,7 @@ std::string error_kind_text(bool has_standard_errors);
 /// values with the path ID-error.
 /// @param format format of the values
 void append_value_columns(const std::string& id, const std::string& header,
-                          bool has_standard_errors, std::vector<TableColumn>& columns,
+                          bool has_standard_errors, std::vector<StudyTableColumn>& columns,
                           const char* format = "{:.6g}");
 
 /// Returns a point with an interval of two standard errors, or without an interval if the error is
@@ -146,12 +146,14 @@ std::optional<double> parse_finite_number(const std::string& text);
 /// Returns whether at least one result has the status `ok`, and all results have the status `ok` or
 /// `not_offered`.
 template <class Result>
-bool are_converged(const std::vector<Result>& results) {
-  const auto is_ok = [](const Result& result) { return result.status == transform::Status::ok; };
-  const auto is_acceptable = [&](const Result& result) {
-    return is_ok(result) || result.status == transform::Status::not_offered;
+bool have_converged_results(const std::vector<Result>& results) {
+  const auto has_status_ok = [](const Result& result) {
+    return result.status == transform::Status::ok;
   };
-  return std::ranges::all_of(results, is_acceptable) && std::ranges::any_of(results, is_ok);
+  const auto is_acceptable = [&](const Result& result) {
+    return has_status_ok(result) || result.status == transform::Status::not_offered;
+  };
+  return std::ranges::all_of(results, is_acceptable) && std::ranges::any_of(results, has_status_ok);
 }
 
 /// Returns the results of all methods except closures. Closures may fail, because the accuracy of

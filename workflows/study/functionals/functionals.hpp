@@ -34,7 +34,7 @@ struct PassageStudy {
   PassageOptions options;
   /// Passage results of the selected methods, and of the approximation by Rice's rate if the
   /// finite-volume solution has an upcrossing rate.
-  std::vector<transform::Passage> passages;
+  std::vector<transform::FirstPassageResult> passages;
 };
 
 /// @throws InputError for invalid options
@@ -46,7 +46,7 @@ bool has_converged(const PassageStudy& study);
 
 std::string study_json_text(const PassageStudy& study, const std::string& command);
 std::string study_csv_text(const PassageStudy& study);
-std::string study_table_text(const PassageStudy& study, const report::TextFormat& format);
+std::string study_table_text(const PassageStudy& study, const report::TerminalTextFormat& format);
 /// Returns a figure of the survival probabilities, and of the mean times over all starts if a
 /// method computes them.
 report::Figure study_figure(const PassageStudy& study);
@@ -65,7 +65,7 @@ struct SpectrumStudy {
   static constexpr const char* kFileStem = "spectrum";
   problem::Problem problem;
   SpectrumOptions options;
-  std::vector<transform::Spectrum> spectra;
+  std::vector<transform::SpectralDensity> spectra;
 };
 
 /// @throws InputError for invalid options
@@ -77,7 +77,7 @@ bool has_converged(const SpectrumStudy& study);
 
 std::string study_json_text(const SpectrumStudy& study, const std::string& command);
 std::string study_csv_text(const SpectrumStudy& study);
-std::string study_table_text(const SpectrumStudy& study, const report::TextFormat& format);
+std::string study_table_text(const SpectrumStudy& study, const report::TerminalTextFormat& format);
 report::Figure study_figure(const SpectrumStudy& study);
 
 /// Derivatives of the stationary moments and densities with respect to parameters.
@@ -92,7 +92,7 @@ struct SensitivityStudy {
   static constexpr const char* kFileStem = "sensitivity";
   problem::Problem problem;
   SensitivityOptions options;
-  std::vector<transform::Sensitivities> solutions;
+  std::vector<transform::MomentSensitivities> solutions;
 };
 
 /// @throws InputError for invalid options and parameters
@@ -105,7 +105,8 @@ bool has_converged(const SensitivityStudy& study);
 
 std::string study_json_text(const SensitivityStudy& study, const std::string& command);
 std::string study_csv_text(const SensitivityStudy& study);
-std::string study_table_text(const SensitivityStudy& study, const report::TextFormat& format);
+std::string study_table_text(const SensitivityStudy& study,
+                             const report::TerminalTextFormat& format);
 /// Returns a figure with the elasticities, and with the derivatives of the marginal densities if a
 /// method computes them.
 report::Figure study_figure(const SensitivityStudy& study);

@@ -25,10 +25,10 @@
 namespace fpkcheck::study {
 namespace {
 
-using transform::Passage;
+using transform::FirstPassageResult;
 using transform::Status;
 using transform::ValueWithError;
-using Quantity = std::optional<ValueWithError> Passage::*;
+using Quantity = std::optional<ValueWithError> FirstPassageResult::*;
 
 // Name of the start other than the stationary law, in keys and tables.
 struct StartName {
@@ -46,28 +46,32 @@ struct NamedQuantity {
 };
 std::vector<NamedQuantity> passage_quantities(const PassageOptions& options) {
   const auto [key, text] = start_name(options);
-  return {{"hazard", "hazard", &Passage::hazard},
-          {"mean_from_" + key, "mean time from " + text, &Passage::mean_from_point},
-          {"mean_from_stationary", "mean time, stationary start", &Passage::mean_from_stationary},
-          {"rice_rate", "rate of upcrossings (Rice)", &Passage::rice_rate},
-          {"probability_below", "probability below the barrier", &Passage::probability_below}};
+  return {{"hazard", "hazard", &FirstPassageResult::hazard},
+          {"mean_from_" + key, "mean time from " + text, &FirstPassageResult::mean_from_point},
+          {"mean_from_stationary", "mean time, stationary start",
+           &FirstPassageResult::mean_from_stationary},
+          {"rice_rate", "rate of upcrossings (Rice)", &FirstPassageResult::rice_rate},
+          {"probability_below", "probability below the barrier",
+           &FirstPassageResult::probability_below}};
 }
 
 // Returns the barrier of the options.
 // @throws InputError unless exactly one barrier is given
-transform::Barrier parse_barrier(const PassageOptions& options) {
+transform::PassageBarrier parse_barrier(const PassageOptions& options) {
   if (options.displacement.has_value() == options.energy.has_value()) {
     throw InputError(options.energy
                          ? "two barriers; give either --displacement or --energy"
                          : "no barrier; give one, e.g. --displacement 1.5 or --energy 1");
   }
-  return options.energy ? transform::Barrier{transform::Barrier::Quantity::energy, *options.energy}
-                        : transform::Barrier{transform::Barrier::Quantity::displacement,
-                                             *options.displacement};
+  return options.energy
+             ? transform::PassageBarrier{transform::PassageBarrier::Quantity::energy,
+                                         *options.energy}
+             : transform::PassageBarrier{transform::PassageBarrier::Quantity::displacement,
+                                         *options.displacement};
 }
 
 // Returns the text of the quantity that passes the barrier.
-std::string barrier_quantity_text(const transform::Barrier& barrier) {
+std::string barrier_quantity_text(const transform::PassageBarrier& barrier) {
   return barrier.is_energy() ? "the energy" : "y";
 }
 
@@ -87,9 +91,9 @@ std::vector<double> parse_survival_times(const PassageOptions& options) {
 
 // Returns the start Y,V of the options.
 // @throws InputError unless the start is below the barrier and between the walls
-std::optional<transform::StartState> parse_start(const problem::Problem& problem,
-                                                 const PassageOptions& options,
-                                                 const transform::Barrier& barrier) {
+std::optional<transform::PassageStartState> parse_start(const problem::Problem& problem,
+                                                        const PassageOptions& options,
+                                                        const transform::PassageBarrier& barrier) {
   if (!options.start) return std::nullopt;
   const auto refuse = [&](const std::string& requirement) {
     throw InputError(fmt::format("--start {} ({})", base::in_quotes(*options.start), requirement));
@@ -117,13 +121,13 @@ std::optional<transform::StartState> parse_start(const problem::Problem& problem
       refuse(fmt::format("the energy {:g} must be below the barrier {:g}", energy, barrier.level));
     }
   }
-  return transform::StartState{*y, *ydot};
+  return transform::PassageStartState{*y, *ydot};
 }
 
 // Returns the approximation by independent upward crossings at Rice's rate: the hazard nu / P, and
 // exponential passage times.
-Passage rice_approximation(const Passage& of) {
-  Passage rice{.id = "rice"};
+FirstPassageResult rice_approximation(const FirstPassageResult& of) {
+  FirstPassageResult rice{.id = "rice"};
   const double rate = of.rice_rate->value / of.probability_below->value;
   rice.hazard = {rate, 0};
   rice.mean_from_stationary = {1 / rate, 0};
@@ -135,9 +139,10 @@ Passage rice_approximation(const Passage& of) {
 }
 
 // Returns the passage by one method.
-Passage solve_passage(const problem::Problem& problem, const SelectedMethod& method,
-                      const transform::Barrier& barrier, const std::vector<double>& times,
-                      const std::optional<transform::StartState>& start) {
+FirstPassageResult solve_passage(const problem::Problem& problem, const SelectedMethod& method,
+                                 const transform::PassageBarrier& barrier,
+                                 const std::vector<double>& times,
+                                 const std::optional<transform::PassageStartState>& start) {
   if (method.mcs) return mcs::estimate_passage(problem, *method.mcs, barrier, times, start);
   if (method.fd) {
     return barrier.is_energy()
@@ -155,7 +160,7 @@ Passage solve_passage(const problem::Problem& problem, const SelectedMethod& met
   return backward::solve_passage(problem, *method.characteristics, barrier.level, times, start);
 }
 
-bool is_rice_approximation(const Passage& passage) { return passage.id == "rice"; }
+bool is_rice_approximation(const FirstPassageResult& passage) { return passage.id == "rice"; }
 
 }  // namespace
 
@@ -183,7 +188,7 @@ const base::Description<PassageOptions>& passage_option_descriptions() {
 
 PassageStudy study_passage(const problem::Problem& problem, const PassageOptions& options,
                            const methods::ProgressListener& listener) {
-  const transform::Barrier barrier = parse_barrier(options);
+  const transform::PassageBarrier barrier = parse_barrier(options);
   std::vector<double> times = parse_survival_times(options);
   const auto start = parse_start(problem, options, barrier);
   PassageStudy study{problem, options, {}};
@@ -195,8 +200,9 @@ PassageStudy study_passage(const problem::Problem& problem, const PassageOptions
         if (times.empty()) times = study.passages.back().times;
       },
       SelectableMethods::with_characteristics);
-  const auto with_rate = std::ranges::find_if(
-      study.passages, [](const Passage& p) { return p.rice_rate && p.probability_below; });
+  const auto with_rate = std::ranges::find_if(study.passages, [](const FirstPassageResult& p) {
+    return p.rice_rate && p.probability_below;
+  });
   if (with_rate != study.passages.end()) study.passages.push_back(rice_approximation(*with_rate));
   if (barrier.is_energy()) {
     study.passages.push_back(
@@ -209,9 +215,9 @@ PassageStudy study_passage(const problem::Problem& problem, const PassageOptions
 }
 
 bool has_converged(const PassageStudy& study) {
-  std::vector<Passage> computed;
+  std::vector<FirstPassageResult> computed;
   std::ranges::remove_copy_if(study.passages, std::back_inserter(computed), is_rice_approximation);
-  return are_converged(computed);
+  return have_converged_results(computed);
 }
 
 std::string study_json_text(const PassageStudy& study, const std::string& command) {
@@ -219,7 +225,7 @@ std::string study_json_text(const PassageStudy& study, const std::string& comman
   const auto quantities = passage_quantities(study.options);
   const std::string from_point = "from_" + start_name(study.options).key;
   Json solutions = Json::array();
-  for (const Passage& p : study.passages) {
+  for (const FirstPassageResult& p : study.passages) {
     Json one{{"solution", p.id},
              {"status", name(p.status)},
              {"reason", p.reason},
@@ -257,7 +263,7 @@ std::string study_json_text(const PassageStudy& study, const std::string& comman
                                                 : Json(error_kind_text(p.has_standard_errors));
     solutions.push_back(std::move(one));
   }
-  const transform::Barrier barrier = parse_barrier(study.options);
+  const transform::PassageBarrier barrier = parse_barrier(study.options);
   Json passage{{"barrier", {{barrier.is_energy() ? "energy" : "displacement", barrier.level}}},
                {"solutions", std::move(solutions)}};
   if (const auto start = parse_start(study.problem, study.options, barrier)) {
@@ -270,7 +276,7 @@ std::string study_csv_text(const PassageStudy& study) {
   const auto quantities = passage_quantities(study.options);
   const std::string from_point = "survival_from_" + start_name(study.options).key;
   std::vector<StudyRecord> rows;
-  for (const Passage& p : study.passages) {
+  for (const FirstPassageResult& p : study.passages) {
     const auto add = [&](const std::string& quantity, base::Value time,
                          const ValueWithError& value) {
       rows.push_back(
@@ -294,8 +300,8 @@ std::string study_csv_text(const PassageStudy& study) {
   return records_csv_text(rows, "case solution quantity time value error");
 }
 
-std::string study_table_text(const PassageStudy& study, const report::TextFormat& format) {
-  const transform::Barrier barrier = parse_barrier(study.options);
+std::string study_table_text(const PassageStudy& study, const report::TerminalTextFormat& format) {
+  const transform::PassageBarrier barrier = parse_barrier(study.options);
   std::string text = report::wrap_text(report::case_title(study.problem), format.width);
   text += report::wrap_text(
       fmt::format(
@@ -303,11 +309,11 @@ std::string study_table_text(const PassageStudy& study, const report::TextFormat
           barrier_quantity_text(barrier), barrier.level),
       format.width);
   const auto quantities = passage_quantities(study.options);
-  std::vector<TableColumn> columns{{"", "", "what", "", report::kAlwaysShown, true}};
+  std::vector<StudyTableColumn> columns{{"", "", "what", "", report::kAlwaysShown, true}};
   std::vector<StudyRecord> rows;
   for (const auto& named : quantities) rows.push_back({{"what", std::string(named.name)}});
-  const auto with_times =
-      std::ranges::find_if(study.passages, [](const Passage& p) { return !p.times.empty(); });
+  const auto with_times = std::ranges::find_if(
+      study.passages, [](const FirstPassageResult& p) { return !p.times.empty(); });
   const std::vector<double> times =
       with_times == study.passages.end() ? std::vector<double>{} : with_times->times;
   for (const std::string& start : {start_name(study.options).text, std::string("stationary")}) {
@@ -315,7 +321,7 @@ std::string study_table_text(const PassageStudy& study, const report::TextFormat
       rows.push_back({{"what", fmt::format("survival from {}, t = {:g}", start, t)}});
     }
   }
-  for (const Passage& p : study.passages) {
+  for (const FirstPassageResult& p : study.passages) {
     if (!p.hazard && !p.mean_from_stationary && !p.mean_from_point) continue;
     constexpr double kSmallError = 1e-5;  // a relative error that six digits do not show
     const bool is_precise =
@@ -343,7 +349,7 @@ std::string study_table_text(const PassageStudy& study, const report::TextFormat
   }
   std::erase_if(rows, [](const StudyRecord& row) { return row.size() == 1; });
   if (columns.size() > 1) text += records_table_text(rows, columns, format);
-  for (const Passage& p : study.passages) {
+  for (const FirstPassageResult& p : study.passages) {
     const std::string seconds =
         is_rice_approximation(p) ? "" : fmt::format(" ({:.1f} s)", p.seconds);
     text += report::wrap_text(solution_status_line(p.id, p.status, p.reason) + p.details + seconds,
@@ -355,8 +361,8 @@ std::string study_table_text(const PassageStudy& study, const report::TextFormat
 namespace {
 
 // Returns the panel of the mean times from all starts below the barrier.
-report::FigurePanel mean_time_panel(const Passage& passage) {
-  const transform::MeanTimeMap& map = *passage.mean_times;
+report::FigurePanel mean_time_panel(const FirstPassageResult& passage) {
+  const transform::MeanPassageTimeMap& map = *passage.mean_passage_times_by_start;
   // A picture of 800 x 300 pixels resolves these cells, which are of equal size.
   constexpr std::size_t kColumns = 200, kRows = 100;
   const auto range = [](const std::vector<double>& edges) {
@@ -402,8 +408,9 @@ report::FigurePanel mean_time_panel(const Passage& passage) {
 
 report::Figure study_figure(const PassageStudy& study) {
   std::vector<report::FigureSeries> series;
-  const auto methods = select_methods(study.options, SelectableMethods::with_characteristics);
-  for (const Passage& p : study.passages) {
+  const auto methods =
+      methods_selected_by_list(study.options, SelectableMethods::with_characteristics);
+  for (const FirstPassageResult& p : study.passages) {
     if (p.survival_from_stationary.empty()) continue;
     const auto method = find_method(methods, p.id);
     report::FigureSeries one = report::make_empty_series(
@@ -419,7 +426,7 @@ report::Figure study_figure(const PassageStudy& study) {
     series.push_back(std::move(one));
   }
   if (series.empty()) return {};
-  const transform::Barrier barrier = parse_barrier(study.options);
+  const transform::PassageBarrier barrier = parse_barrier(study.options);
   report::FigurePanel panel{
       .title = fmt::format("probability that {} stays below {:g}, stationary start",
                            barrier_quantity_text(barrier), barrier.level),
@@ -428,8 +435,9 @@ report::Figure study_figure(const PassageStudy& study) {
       .series = series};
   report::Figure figure{
       .title = report::problem_title_parts(study.problem), .panels = {panel}, .columns = 1};
-  const auto with_map = std::ranges::find_if(
-      study.passages, [](const Passage& p) { return p.mean_times.has_value(); });
+  const auto with_map = std::ranges::find_if(study.passages, [](const FirstPassageResult& p) {
+    return p.mean_passage_times_by_start.has_value();
+  });
   if (with_map != study.passages.end()) {
     figure.panels.push_back(mean_time_panel(*with_map));
   }

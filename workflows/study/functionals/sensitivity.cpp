@@ -27,7 +27,7 @@ namespace {
 
 using transform::ExpectationDerivatives;
 using transform::MarginalDerivatives;
-using transform::Sensitivities;
+using transform::MomentSensitivities;
 
 // Steps of the difference quotients, relative to the parameter. The quotients of the matrix of the
 // finite volumes have errors of about 1e-8; a simulation needs a step that changes the moments by
@@ -42,7 +42,7 @@ std::vector<std::string> selected_parameters(const problem::Problem& problem,
   return keys;
 }
 
-double elasticity(const Sensitivities& s, const ExpectationDerivatives& one, std::size_t k) {
+double elasticity(const MomentSensitivities& s, const ExpectationDerivatives& one, std::size_t k) {
   // A mean that is 0 by symmetry has no elasticity.
   constexpr double kSmallestMean = 1e-2;  // in root mean squares
   const auto square =
@@ -52,7 +52,7 @@ double elasticity(const Sensitivities& s, const ExpectationDerivatives& one, std
   return is_zero ? std::numeric_limits<double>::quiet_NaN()
                  : one.derivatives[k] * s.parameter_values[k] / one.value;
 }
-double elasticity_error_estimate(const Sensitivities& s, const ExpectationDerivatives& one,
+double elasticity_error_estimate(const MomentSensitivities& s, const ExpectationDerivatives& one,
                                  std::size_t k) {
   return std::abs(one.errors[k] * s.parameter_values[k] / one.value);
 }
@@ -61,10 +61,10 @@ std::string density_symbol(transform::StateVariable variable) {
   return variable == transform::StateVariable::y ? "p(y)" : "p(y')";
 }
 
-bool has_derivatives(const Sensitivities& s) { return !s.expectations.empty(); }
+bool has_derivatives(const MomentSensitivities& s) { return !s.expectations.empty(); }
 
 // Changes the status `ok` to `inaccurate` if the error of an elasticity exceeds the accuracy.
-void require_accurate(double accuracy, Sensitivities& s) {
+void require_accurate(double accuracy, MomentSensitivities& s) {
   double largest = 0;
   for (const ExpectationDerivatives& one : s.expectations) {
     for (std::size_t k = 0; k < s.parameters.size(); ++k) {
@@ -107,11 +107,12 @@ SensitivityStudy study_sensitivity(const problem::Problem& problem,
   for_each_selected_method(
       problem, options, listener,
       [&](const SelectedMethod& method) {
-        std::vector<problem::ParameterDerivative> parameters;
+        std::vector<problem::ParameterDifferenceQuotient> parameters;
         for (const std::string& key : keys) {
-          parameters.push_back(problem::parameter_derivative(problem, key,
-                                                             method.fd    ? kMatrixStep
-                                                             : method.epc ? kClosureStep
+          parameters.push_back(problem::parameter_difference_quotient(problem, key,
+                                                                      method.fd ? kMatrixStep
+                                                                      : method.epc
+                                                                          ? kClosureStep
                                                                           : kSimulationStep));
         }
         study.solutions.push_back(
@@ -126,13 +127,13 @@ SensitivityStudy study_sensitivity(const problem::Problem& problem,
 }
 
 bool has_converged(const SensitivityStudy& study) {
-  return are_converged(without_closures(study.solutions));
+  return have_converged_results(without_closures(study.solutions));
 }
 
 std::string study_json_text(const SensitivityStudy& study, const std::string& command) {
   using results::Json;
   Json list = Json::array();
-  for (const Sensitivities& s : study.solutions) {
+  for (const MomentSensitivities& s : study.solutions) {
     const Json of_solution{{"solution", s.id},
                            {"status", name(s.status)},
                            {"reason", s.reason},
@@ -166,7 +167,7 @@ std::string study_json_text(const SensitivityStudy& study, const std::string& co
 
 std::string study_csv_text(const SensitivityStudy& study) {
   std::vector<StudyRecord> rows;
-  for (const Sensitivities& s : study.solutions) {
+  for (const MomentSensitivities& s : study.solutions) {
     for (const ExpectationDerivatives& one : s.expectations) {
       for (std::size_t k = 0; k < s.parameters.size(); ++k) {
         rows.push_back({{"case", study.problem.name},
@@ -187,7 +188,7 @@ std::string study_csv_text(const SensitivityStudy& study) {
                           {"parameter", s.parameters[k]},
                           {"derivative", marginal.derivatives[k][b]},
                           {"error", marginal.errors[k][b]},
-                          {"abscissa", marginal.centre(b)}});
+                          {"abscissa", marginal.bin_centre(b)}});
         }
       }
     }
@@ -195,17 +196,19 @@ std::string study_csv_text(const SensitivityStudy& study) {
   return records_csv_text(rows, "case solution of parameter derivative elasticity error abscissa");
 }
 
-std::string study_table_text(const SensitivityStudy& study, const report::TextFormat& format) {
+std::string study_table_text(const SensitivityStudy& study,
+                             const report::TerminalTextFormat& format) {
   std::string text = report::wrap_text(report::case_title(study.problem), format.width);
   text += report::wrap_text(
       "derivative of each moment with respect to each parameter, all other parameters fixed, and "
       "elasticity: relative change of the moment by a relative change of the parameter",
       format.width);
-  const Sensitivities* first = nullptr;
-  std::vector<TableColumn> columns{{"", "moment", "of", "", report::kAlwaysShown, true},
-                                   {"", "parameter", "parameter", "", report::kAlwaysShown, true}};
+  const MomentSensitivities* first = nullptr;
+  std::vector<StudyTableColumn> columns{
+      {"", "moment", "of", "", report::kAlwaysShown, true},
+      {"", "parameter", "parameter", "", report::kAlwaysShown, true}};
   std::vector<StudyRecord> rows;
-  for (const Sensitivities& s : study.solutions) {
+  for (const MomentSensitivities& s : study.solutions) {
     if (!has_derivatives(s)) continue;
     if (first == nullptr) {
       first = &s;
@@ -227,7 +230,7 @@ std::string study_table_text(const SensitivityStudy& study, const report::TextFo
     }
   }
   if (first != nullptr) text += records_table_text(rows, columns, format);
-  for (const Sensitivities& s : study.solutions) {
+  for (const MomentSensitivities& s : study.solutions) {
     std::string line = solution_status_line(s.id, s.status, s.reason);
     if (has_derivatives(s)) line += fmt::format("{} ({:.1f} s)", s.details, s.seconds);
     text += report::wrap_text(line, format.width, 2);
@@ -238,7 +241,7 @@ std::string study_table_text(const SensitivityStudy& study, const report::TextFo
 namespace {
 
 // Returns the panels of theta dp/dtheta over y and over y', with a series for each parameter theta.
-std::vector<report::FigurePanel> density_panels(const Sensitivities& s) {
+std::vector<report::FigurePanel> density_panels(const MomentSensitivities& s) {
   // Palette of Okabe and Ito, which colour-blind readers can distinguish
   constexpr const char* kColours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                       "#E69F00", "#000000", "#882E72"};
@@ -252,7 +255,7 @@ std::vector<report::FigurePanel> density_panels(const Sensitivities& s) {
                                  .dash = k < std::size(kColours) ? "solid" : "(8,4)"};
       for (std::size_t b = 0; b < marginal.derivatives[k].size(); ++b) {
         curve.points.push_back(
-            {.x = marginal.centre(b), .y = s.parameter_values[k] * marginal.derivatives[k][b]});
+            {.x = marginal.bin_centre(b), .y = s.parameter_values[k] * marginal.derivatives[k][b]});
       }
       series.push_back(std::move(curve));
     }
@@ -275,13 +278,14 @@ report::Figure study_figure(const SensitivityStudy& study) {
   report::Figure figure{.title = report::problem_title_parts(study.problem), .columns = 1};
   const auto with_values = std::ranges::find_if(study.solutions, has_derivatives);
   if (with_values == study.solutions.end()) return {};
-  const Sensitivities& reference = *with_values;
+  const MomentSensitivities& reference = *with_values;
   for (const std::string& wanted : {std::string("E[y^2]"), std::string("E[y'^2]")}) {
     std::vector<report::FigureSeries> series;
-    const auto methods = select_methods(study.options, SelectableMethods::with_closures);
+    const auto methods = methods_selected_by_list(study.options, SelectableMethods::with_closures);
     for (std::size_t m = 0; m < methods.size(); ++m) {
       const SelectedMethod& method = methods[m];
-      const auto found = std::ranges::find(study.solutions, method.identity.id, &Sensitivities::id);
+      const auto found =
+          std::ranges::find(study.solutions, method.identity.id, &MomentSensitivities::id);
       if (found == study.solutions.end() || !has_derivatives(*found)) continue;
       const auto one =
           std::ranges::find(found->expectations, wanted, &ExpectationDerivatives::expectation);
@@ -314,7 +318,7 @@ report::Figure study_figure(const SensitivityStudy& study) {
          .series = series});
   }
   const auto with_densities = std::ranges::find_if(
-      study.solutions, [](const Sensitivities& s) { return !s.marginals.empty(); });
+      study.solutions, [](const MomentSensitivities& s) { return !s.marginals.empty(); });
   if (with_densities != study.solutions.end()) {
     std::ranges::move(density_panels(*with_densities), std::back_inserter(figure.panels));
   }

@@ -21,7 +21,7 @@
 namespace fpkcheck::study {
 namespace {
 
-using transform::Spectrum;
+using transform::SpectralDensity;
 using transform::StateVariable;
 
 constexpr int kAutomaticIntervals = 200, kMostIntervals = 10000;
@@ -85,7 +85,7 @@ struct SpectrumDistance {
   double largest_in_errors;  // largest |difference| / combined error
   double root_mean_square;   // root mean square of |difference| / combined error
 };
-SpectrumDistance spectrum_distance(const Spectrum& a, const Spectrum& b) {
+SpectrumDistance spectrum_distance(const SpectralDensity& a, const SpectralDensity& b) {
   SpectrumDistance result{0, 0};
   for (std::size_t k = 0; k < a.density.size(); ++k) {
     const double error = std::hypot(a.error[k], b.error[k]);
@@ -98,7 +98,7 @@ SpectrumDistance spectrum_distance(const Spectrum& a, const Spectrum& b) {
   return result;
 }
 
-bool has_spectral_density(const Spectrum& spectrum) { return !spectrum.density.empty(); }
+bool has_spectral_density(const SpectralDensity& spectrum) { return !spectrum.density.empty(); }
 
 std::string variable_symbol(StateVariable variable) {
   return variable == StateVariable::y ? "y" : "y'";
@@ -132,12 +132,12 @@ SpectrumStudy study_spectrum(const problem::Problem& problem, const SpectrumOpti
   return study;
 }
 
-bool has_converged(const SpectrumStudy& study) { return are_converged(study.spectra); }
+bool has_converged(const SpectrumStudy& study) { return have_converged_results(study.spectra); }
 
 std::string study_json_text(const SpectrumStudy& study, const std::string& command) {
   using results::Json;
   Json spectra = Json::array();
-  for (const Spectrum& s : study.spectra) {
+  for (const SpectralDensity& s : study.spectra) {
     Json one{{"solution", s.id},
              {"of", name(s.variable)},
              {"status", name(s.status)},
@@ -172,7 +172,7 @@ std::string study_json_text(const SpectrumStudy& study, const std::string& comma
 
 std::string study_csv_text(const SpectrumStudy& study) {
   std::vector<StudyRecord> rows;
-  for (const Spectrum& s : study.spectra) {
+  for (const SpectralDensity& s : study.spectra) {
     const auto add = [&](const char* abscissa, const std::vector<double>& x, const char* quantity,
                          const std::vector<double>& values, const std::vector<double>& errors) {
       for (std::size_t k = 0; k < values.size(); ++k) {
@@ -191,17 +191,17 @@ std::string study_csv_text(const SpectrumStudy& study) {
                           "case solution variable frequency density error lag autocovariance");
 }
 
-std::string study_table_text(const SpectrumStudy& study, const report::TextFormat& format) {
+std::string study_table_text(const SpectrumStudy& study, const report::TerminalTextFormat& format) {
   constexpr std::size_t kRows = 16;
   std::string text = report::wrap_text(report::case_title(study.problem), format.width);
   text += report::wrap_text(
       fmt::format("one-sided spectral density of {}; its integral over w >= 0 is the variance",
                   variable_symbol(study.options.variable)),
       format.width);
-  std::vector<TableColumn> columns{{"", "w", "w", "{:.4g}"}};
+  std::vector<StudyTableColumn> columns{{"", "w", "w", "{:.4g}"}};
   std::vector<StudyRecord> rows;
-  const Spectrum* first = nullptr;
-  for (const Spectrum& s : study.spectra) {
+  const SpectralDensity* first = nullptr;
+  for (const SpectralDensity& s : study.spectra) {
     if (!has_spectral_density(s)) continue;
     if (first == nullptr) first = &s;
     append_value_columns(s.id, "density", s.has_standard_errors, columns);
@@ -213,7 +213,7 @@ std::string study_table_text(const SpectrumStudy& study, const report::TextForma
     }
   }
   if (first != nullptr) text += records_table_text(rows, columns, format);
-  for (const Spectrum& s : study.spectra) {
+  for (const SpectralDensity& s : study.spectra) {
     std::string line = solution_status_line(s.id, s.status, s.reason);
     if (has_spectral_density(s)) {
       line += fmt::format("variance {:.6g} +- {:.1e}", s.variance, s.variance_error);
@@ -247,15 +247,14 @@ namespace {
 
 // Returns one series for each solution. The series of a simulation has marks at about 50 points,
 // with intervals of two standard errors.
-std::vector<report::FigureSeries> series_of_solutions(const SpectrumStudy& study,
-                                                      std::vector<double> Spectrum::*abscissas,
-                                                      std::vector<double> Spectrum::*values,
-                                                      std::vector<double> Spectrum::*errors) {
+std::vector<report::FigureSeries> series_of_solutions(
+    const SpectrumStudy& study, std::vector<double> SpectralDensity::*abscissas,
+    std::vector<double> SpectralDensity::*values, std::vector<double> SpectralDensity::*errors) {
   std::vector<report::FigureSeries> series;
-  for (const auto& method : select_methods(study.options)) {
-    const auto found = std::ranges::find(study.spectra, method.identity.id, &Spectrum::id);
+  for (const auto& method : methods_selected_by_list(study.options)) {
+    const auto found = std::ranges::find(study.spectra, method.identity.id, &SpectralDensity::id);
     if (found == study.spectra.end() || ((*found).*values).empty()) continue;
-    const Spectrum& s = *found;
+    const SpectralDensity& s = *found;
     report::FigureSeries one = report::make_empty_series(s.id, method.identity.plot_style);
     const std::vector<double>&x = s.*abscissas, &y = s.*values, &error = s.*errors;
     const std::size_t step = s.has_standard_errors ? std::max<std::size_t>(y.size() / 50, 1) : 1;
@@ -272,18 +271,19 @@ std::vector<report::FigureSeries> series_of_solutions(const SpectrumStudy& study
 
 report::Figure study_figure(const SpectrumStudy& study) {
   const std::string of = variable_symbol(study.options.variable);
-  const auto densities =
-      series_of_solutions(study, &Spectrum::frequencies, &Spectrum::density, &Spectrum::error);
+  const auto densities = series_of_solutions(study, &SpectralDensity::frequencies,
+                                             &SpectralDensity::density, &SpectralDensity::error);
   if (densities.empty()) return {};
-  const Spectrum& first = *std::ranges::find_if(study.spectra, has_spectral_density);
+  const SpectralDensity& first = *std::ranges::find_if(study.spectra, has_spectral_density);
   std::vector<report::FigurePanel> panels{
       {.title = fmt::format("one-sided spectral density of {}", of),
        .x = {"{/:Italic w}", first.frequencies.front(), first.frequencies.back()},
        .y = report::logarithmic_axis("{/:Italic G}({/:Italic w})", densities,
                                      &report::FigurePoint::y),
        .series = densities}};
-  const auto covariances = series_of_solutions(study, &Spectrum::lags, &Spectrum::autocovariance,
-                                               &Spectrum::autocovariance_error);
+  const auto covariances =
+      series_of_solutions(study, &SpectralDensity::lags, &SpectralDensity::autocovariance,
+                          &SpectralDensity::autocovariance_error);
   if (!covariances.empty()) {
     panels.push_back({.title = fmt::format("autocovariance of {}", of),
                       .x = {"{/:Italic t}", 0, first.lags.back()},

@@ -19,7 +19,7 @@ using transform::Moments;
 using transform::Solution;
 using transform::StateVariable;
 
-fd_fpk::Options fd_options(int order, double refinement) {
+fd_fpk::FiniteVolumeOptions fd_options(int order, double refinement) {
   return {.equation = problem::DensityEquation::kf,
           .stepper = fd_fpk::StationarySolver::direct,
           .order = order,
@@ -30,19 +30,19 @@ fd_fpk::Options fd_options(int order, double refinement) {
           .residual_tolerance = 1e-9};
 }
 
-fd_fpk::Options seventh_order_options(const ReferenceOptions& options) {
+fd_fpk::FiniteVolumeOptions seventh_order_options(const ReferenceOptions& options) {
   return fd_options(7, options.refinement);
 }
 
-fd_fpk::Options fifth_order_options(const ReferenceOptions& options) {
+fd_fpk::FiniteVolumeOptions fifth_order_options(const ReferenceOptions& options) {
   return fd_options(5, options.refinement * std::sqrt(2.0));
 }
 
-mcs::Options long_simulation_options(const problem::Problem& problem,
-                                     const ReferenceOptions& options) {
+mcs::SimulationOptions long_simulation_options(const problem::Problem& problem,
+                                               const ReferenceOptions& options) {
   constexpr double kTime = 1e7;  // default simulated time, in decay times of the slowest mode
   const auto axes = compare::comparison_axes(problem);
-  mcs::Options simulation;
+  mcs::SimulationOptions simulation;
   simulation.time =
       options.simulation_time.value_or(kTime / problem::motion_scales(problem).slowest_decay_rate);
   simulation.seed = options.seed;
@@ -108,10 +108,11 @@ void append_moment_table(const CaseReference& r, std::string& text) {
       "| | value | difference of the orders | simulation | deviation in standard errors |\n"
       "|---|---|---|---|---|\n";
   for (const auto& [name, symbol, value, simulated, error] : r.moments) {
-    text += fmt::format("| `{}` | {} | {:.0e} | {:.6g} +- {:.1g} | {:+.1f} |\n", symbol,
-                        significant_digits_text(value.seventh, value.agreed_digits(kMomentDigits)),
-                        std::abs(value.seventh - value.fifth), simulated, error,
-                        (simulated - value.seventh) / error);
+    text += fmt::format(
+        "| `{}` | {} | {:.0e} | {:.6g} +- {:.1g} | {:+.1f} |\n", symbol,
+        significant_digits_text(value.value_of_order_seven, value.agreed_digits(kMomentDigits)),
+        std::abs(value.value_of_order_seven - value.value_of_order_five), simulated, error,
+        (simulated - value.value_of_order_seven) / error);
   }
 }
 
@@ -120,18 +121,21 @@ void append_density_table(const CaseReference& r, std::string& text) {
   for (std::size_t k = 0; k < r.y.size(); ++k) {
     const auto& [y, p] = r.y[k];
     const auto& [v, q] = r.ydot[k];
-    text += fmt::format("| {:.6g} | {} | {:.6g} | {} |\n", y,
-                        significant_digits_text(p.seventh, p.agreed_digits(kDensityDigits)), v,
-                        significant_digits_text(q.seventh, q.agreed_digits(kDensityDigits)));
+    text += fmt::format(
+        "| {:.6g} | {} | {:.6g} | {} |\n", y,
+        significant_digits_text(p.value_of_order_seven, p.agreed_digits(kDensityDigits)), v,
+        significant_digits_text(q.value_of_order_seven, q.agreed_digits(kDensityDigits)));
   }
 }
 
 }  // namespace
 
-int ReferenceValue::agreed_digits(int most) const {
-  const double difference = std::abs(seventh - fifth) / std::abs(seventh);
+int ValueInTwoSchemeOrders::agreed_digits(int most) const {
+  const double difference =
+      std::abs(value_of_order_seven - value_of_order_five) / std::abs(value_of_order_seven);
   const double digits = std::floor(-std::log10(std::max(difference, 1e-16) * 2)) + 1;
-  // The number of digits is compared as a double, since it may be infinite, or NaN from 0/0.
+  // The number of agreed digits is compared as a double, since log10 of the difference may be
+  // infinite, or NaN from 0/0.
   return digits > 1 ? static_cast<int>(std::min<double>(digits, most)) : 1;
 }
 
@@ -143,14 +147,15 @@ void validate(const problem::Problem& problem, const ReferenceOptions& options) 
 
 CaseReference compute_reference(const problem::Problem& problem, const ReferenceOptions& options) {
   CaseReference result{.problem = problem, .failure = {}, .moments = {}, .y = {}, .ydot = {}};
-  const auto seventh = fd_fpk::solve(problem, seventh_order_options(options));
-  const auto fifth = fd_fpk::solve(problem, fifth_order_options(options));
+  const auto seventh = fd_fpk::solve_stationary_density(problem, seventh_order_options(options));
+  const auto fifth = fd_fpk::solve_stationary_density(problem, fifth_order_options(options));
   for (const auto* run : {&seventh, &fifth}) {
-    if (run->solution.is_ok() && run->summary.error) continue;
+    if (run->solution.has_status_ok() && run->summary.error) continue;
     result.failure = run->solution.reason.empty() ? "no error estimate" : run->solution.reason;
     return result;
   }
-  const auto simulated = mcs::solve(problem, long_simulation_options(problem, options));
+  const auto simulated =
+      mcs::simulate_stationary_density(problem, long_simulation_options(problem, options));
 
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     if (moment == &Moments::v1) continue;  // E[y'] = 0 for every stationary density
@@ -190,7 +195,8 @@ The last two columns of each table of moments compare the values with an indepen
 )",
                                  command);
   for (const auto& r : references) {
-    text += fmt::format("## {}\n\n{}\n\n", r.problem.name, problem::parameters_text(r.problem));
+    text += fmt::format("## {}\n\n{}\n\n", r.problem.name,
+                        problem::non_default_parameters_text(r.problem));
     if (!r.failure.empty()) {
       text += fmt::format("No reference: {}.\n\n", r.failure);
       continue;
@@ -211,9 +217,10 @@ std::string reference_csv(const std::vector<CaseReference>& references) {
   std::string text = "case,quantity,abscissa,value,uncertainty\n";
   for (const auto& r : references) {
     const auto add = [&](const std::string& quantity, const std::string& abscissa,
-                         const ReferenceValue& value) {
+                         const ValueInTwoSchemeOrders& value) {
       text += fmt::format("{},{},{},{:.10g},{:.1e}\n", r.problem.name, quantity, abscissa,
-                          value.seventh, std::abs(value.seventh - value.fifth));
+                          value.value_of_order_seven,
+                          std::abs(value.value_of_order_seven - value.value_of_order_five));
     };
     for (const auto& moment : r.moments) add(moment.name, "", moment.value);
     for (const auto& [x, p] : r.y) add("p_y", fmt::format("{:.10g}", x), p);

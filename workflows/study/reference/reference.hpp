@@ -11,8 +11,8 @@
 namespace fpkcheck::study {
 
 struct ReferenceOptions {
-  /// Grid refinement for the seventh-order scheme. The cells of the fifth-order scheme are smaller
-  /// than the cells of the seventh-order scheme by a factor sqrt(2).
+  /// Refinement factor of the grid of the seventh-order scheme. The cells of the fifth-order scheme
+  /// are smaller than the cells of the seventh-order scheme by a factor sqrt(2).
   double refinement = 2;
   /// Simulated time; the default is 1e7 decay times of the slowest mode.
   std::optional<double> simulation_time{};
@@ -21,9 +21,9 @@ struct ReferenceOptions {
 
 /// Reference value by the seventh-order and by the fifth-order scheme: two Richardson limits, or
 /// two values on the finest grids.
-struct ReferenceValue {
-  double seventh;
-  double fifth;
+struct ValueInTwoSchemeOrders {
+  double value_of_order_seven;
+  double value_of_order_five;
   /// Returns the number of significant digits to which the values of the two schemes agree, at most
   /// `most`.
   int agreed_digits(int most) const;
@@ -32,14 +32,14 @@ struct ReferenceValue {
 struct ReferenceMoment {
   std::string name;    ///< key of the moment in summary.json, e.g. "y1"
   std::string symbol;  ///< symbol of the moment, e.g. "E[y]"
-  ReferenceValue value;
+  ValueInTwoSchemeOrders value;
   double simulated;
   double standard_error;
 };
 
 struct ReferencePoint {
   double abscissa;
-  ReferenceValue density;
+  ValueInTwoSchemeOrders density;
 };
 
 struct CaseReference {
@@ -57,12 +57,13 @@ struct CaseReference {
 /// @throws InputError with a message of one line
 void validate(const problem::Problem& problem, const ReferenceOptions& options);
 
-/// Solves a problem by a fifth-order scheme, a seventh-order scheme and a simulation. Each scheme
-/// uses three grids that are refined towards the origin.
+/// Solves a problem by a fifth-order scheme, a seventh-order scheme and a simulation. Each
+/// finite-volume scheme uses three grids that are refined towards the origin.
 CaseReference compute_reference(const problem::Problem& problem, const ReferenceOptions& options);
 
-/// The CSV has the header case,quantity,abscissa,value,uncertainty. The uncertainty of a reference
-/// value is the difference between the seventh-order and the fifth-order value.
+/// The CSV of reference values has the header case,quantity,abscissa,value,uncertainty. The
+/// uncertainty of a reference value is the difference between the seventh-order and the fifth-order
+/// value.
 std::string reference_markdown(const std::vector<CaseReference>& references,
                                const std::string& command);
 std::string reference_csv(const std::vector<CaseReference>& references);

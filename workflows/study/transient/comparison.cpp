@@ -29,7 +29,7 @@ using transform::Marginal;
 using transform::Moments;
 using transform::StateVariable;
 using transform::Status;
-using transform::Transient;
+using transform::TransientDensities;
 using transform::TransientSnapshot;
 
 constexpr int kMostIntervals = 1000;
@@ -40,8 +40,8 @@ const Marginal& marginal_of_variable(const TransientSnapshot& snapshot, StateVar
   return variable == StateVariable::y ? snapshot.y : snapshot.ydot;
 }
 
-std::optional<MarginalL1Distances> l1_distances_at(const Transient& solution,
-                                                   const Transient& reference,
+std::optional<MarginalL1Distances> l1_distances_at(const TransientDensities& solution,
+                                                   const TransientDensities& reference,
                                                    std::size_t snapshot) {
   if (&solution == &reference || snapshot >= solution.snapshots.size() ||
       snapshot >= reference.snapshots.size()) {
@@ -79,8 +79,8 @@ struct LargestDistances {
   std::optional<double> accurate_from;
 };
 
-LargestDistances largest_distances(const Transient& solution, const Transient& reference,
-                                   double accuracy) {
+LargestDistances largest_distances(const TransientDensities& solution,
+                                   const TransientDensities& reference, double accuracy) {
   LargestDistances largest;
   for (std::size_t k = 0; k < solution.snapshots.size(); ++k) {
     const auto at = l1_distances_at(solution, reference, k);
@@ -114,7 +114,7 @@ LargestDistances largest_distances(const Transient& solution, const Transient& r
 }
 
 // Returns the largest L1 error estimate over all snapshots; NaN if a snapshot has no estimate.
-double largest_l1_error_estimate(const Transient& solution) {
+double largest_l1_error_estimate(const TransientDensities& solution) {
   double largest = 0;
   for (const TransientSnapshot& s : solution.snapshots) {
     if (!s.error) return std::numeric_limits<double>::quiet_NaN();
@@ -127,12 +127,12 @@ double largest_l1_error_estimate(const Transient& solution) {
 }
 
 // Returns the largest difference between 1 and the integral of a marginal density over its bins.
-double largest_missing_mass(const Transient& solution) {
+double largest_missing_mass(const TransientDensities& solution) {
   double largest = 0;
   for (const TransientSnapshot& s : solution.snapshots) {
     for (const Marginal* p : {&s.y, &s.ydot}) {
       double mass = 0;
-      for (std::size_t b = 0; b < p->size(); ++b) mass += p->density[b] * p->width(b);
+      for (std::size_t b = 0; b < p->size(); ++b) mass += p->density[b] * p->bin_width(b);
       const double missing = std::abs(1 - mass);
       if (!(missing <= largest)) largest = missing;
     }
@@ -142,7 +142,8 @@ double largest_missing_mass(const Transient& solution) {
 
 }  // namespace
 
-void require_accurate(double accuracy, const Transient* compared_with, Transient& solution) {
+void require_accurate(double accuracy, const TransientDensities* compared_with,
+                      TransientDensities& solution) {
   if (solution.status != Status::ok) return;
   constexpr double kMassLimit = 1e-3;
   const double missing = largest_missing_mass(solution);
@@ -267,19 +268,19 @@ TransientComparison compare_over_time(const problem::Problem& problem,
   for_each_selected_method(
       problem, options, listener,
       [&](const SelectedMethod& method) {
-        Transient solution = method.fd
-                                 ? fd_fpk::solve_transient_with_error(problem, *method.fd, request)
-                             : method.epc ? epc::solve_transient(problem, *method.epc, request)
-                                          : mcs::estimate_transient(problem, *method.mcs, request);
+        TransientDensities solution =
+            method.fd    ? fd_fpk::solve_transient_with_error(problem, *method.fd, request)
+            : method.epc ? epc::solve_transient(problem, *method.epc, request)
+                         : mcs::estimate_transient(problem, *method.mcs, request);
         study.solutions.push_back(std::move(solution));
       },
       SelectableMethods::with_closures);
-  const Transient* const compared_with = find_reference_solution(study);
-  const auto selected = select_methods(options, SelectableMethods::with_closures);
-  const auto equation = [&](const Transient& solution) {
+  const TransientDensities* const compared_with = find_reference_solution(study);
+  const auto selected = methods_selected_by_list(options, SelectableMethods::with_closures);
+  const auto equation = [&](const TransientDensities& solution) {
     return find_method(selected, solution.id)->identity.equation;
   };
-  for (Transient& solution : study.solutions) {
+  for (TransientDensities& solution : study.solutions) {
     const bool is_same_problem =
         compared_with != nullptr && equation(*compared_with) == equation(solution);
     require_accurate(options.accuracy, is_same_problem ? compared_with : nullptr, solution);
@@ -289,7 +290,7 @@ TransientComparison compare_over_time(const problem::Problem& problem,
 
 namespace {
 
-bool has_all_snapshots(const TransientComparison& study, const Transient& solution) {
+bool has_all_snapshots(const TransientComparison& study, const TransientDensities& solution) {
   return (solution.status == Status::ok || solution.status == Status::inaccurate) &&
          static_cast<int>(solution.snapshots.size()) == study.options.snapshots + 1;
 }
@@ -297,7 +298,7 @@ bool has_all_snapshots(const TransientComparison& study, const Transient& soluti
 // Returns the means of the moments over a period, by the trapezoidal rule. The result is empty if
 // the number of phases is too small for the harmonics of the moments.
 std::optional<Moments> mean_over_period(const TransientComparison& study,
-                                        const Transient& solution) {
+                                        const TransientDensities& solution) {
   constexpr int kFewestPhases = 8;
   if (!study.options.periodic || study.options.snapshots < kFewestPhases ||
       !has_all_snapshots(study, solution)) {
@@ -316,9 +317,9 @@ std::optional<Moments> mean_over_period(const TransientComparison& study,
 
 }  // namespace
 
-const Transient* find_reference_solution(const TransientComparison& study) {
+const TransientDensities* find_reference_solution(const TransientComparison& study) {
   for (const char* solver : {"fd", "mcs"}) {
-    for (const Transient& solution : study.solutions) {
+    for (const TransientDensities& solution : study.solutions) {
       if (solution.id.starts_with(solver) && has_all_snapshots(study, solution)) return &solution;
     }
   }
@@ -326,13 +327,13 @@ const Transient* find_reference_solution(const TransientComparison& study) {
 }
 
 bool has_converged(const TransientComparison& study) {
-  return are_converged(without_closures(study.solutions));
+  return have_converged_results(without_closures(study.solutions));
 }
 
 std::string study_json_text(const TransientComparison& study, const std::string& command) {
-  const Transient* const compared_with = find_reference_solution(study);
+  const TransientDensities* const compared_with = find_reference_solution(study);
   Json list = Json::array();
-  for (const Transient& solution : study.solutions) {
+  for (const TransientDensities& solution : study.solutions) {
     Json times = Json::array(), moments = Json::array(), errors = Json::array();
     Json l1 = Json::array(), l1_errors = Json::array();
     for (std::size_t k = 0; k < solution.snapshots.size(); ++k) {
@@ -363,7 +364,7 @@ std::string study_json_text(const TransientComparison& study, const std::string&
 
 std::string study_csv_text(const TransientComparison& study) {
   std::vector<StudyRecord> rows;
-  for (const Transient& solution : study.solutions) {
+  for (const TransientDensities& solution : study.solutions) {
     for (const TransientSnapshot& s : solution.snapshots) {
       for (const StateVariable variable : transform::kVariables) {
         const Marginal& p = marginal_of_variable(s, variable);
@@ -372,7 +373,7 @@ std::string study_csv_text(const TransientComparison& study) {
                           {"solution", solution.id},
                           {"time", s.time},
                           {"variable", std::string(name(variable))},
-                          {"abscissa", p.centre(b)},
+                          {"abscissa", p.bin_centre(b)},
                           {"density", p.density[b]}};
           if (!p.lower.empty()) {
             row.push_back({"lower", p.lower[b]});
@@ -397,8 +398,9 @@ using ValuePair = std::array<double, 2>;
 ///        value
 std::string table_over_time(
     const TransientComparison& study, const std::array<const char*, 2>& headers,
-    const std::function<std::optional<ValuePair>(const Transient&, std::size_t snapshot)>& values,
-    const report::TextFormat& format) {
+    const std::function<std::optional<ValuePair>(const TransientDensities&, std::size_t snapshot)>&
+        values,
+    const report::TerminalTextFormat& format) {
   const transform::TransientRequest request{.until = study.options.until,
                                             .snapshots = study.options.snapshots};
   constexpr int kMostIntervalsInTable = 10;
@@ -407,8 +409,8 @@ std::string table_over_time(
   for (const std::size_t k : shown) {
     rows.push_back({{"time", request.time_of_snapshot(static_cast<int>(k))}});
   }
-  std::vector<TableColumn> columns{{"", "t", "time", "{:.4g}"}};
-  for (const Transient& solution : study.solutions) {
+  std::vector<StudyTableColumn> columns{{"", "t", "time", "{:.4g}"}};
+  for (const TransientDensities& solution : study.solutions) {
     if (!values(solution, 0)) continue;
     for (std::size_t part = 0; part < 2; ++part) {
       const std::string path = solution.id + headers[part];
@@ -422,8 +424,10 @@ std::string table_over_time(
   return columns.size() == 1 ? "" : records_table_text(rows, columns, format);
 }
 
-std::string moment_table(const TransientComparison& study, const report::TextFormat& format) {
-  const auto values = [](const Transient& solution, std::size_t k) -> std::optional<ValuePair> {
+std::string moment_table(const TransientComparison& study,
+                         const report::TerminalTextFormat& format) {
+  const auto values = [](const TransientDensities& solution,
+                         std::size_t k) -> std::optional<ValuePair> {
     if (k >= solution.snapshots.size()) return std::nullopt;
     const Moments& moments = solution.snapshots[k].moments;
     return ValuePair{moments.y2, moments.v2};
@@ -431,9 +435,11 @@ std::string moment_table(const TransientComparison& study, const report::TextFor
   return table_over_time(study, {"E[y^2]", "E[y'^2]"}, values, format);
 }
 
-std::string distance_table(const TransientComparison& study, const Transient& compared_with,
-                           const report::TextFormat& format) {
-  const auto values = [&](const Transient& solution, std::size_t k) -> std::optional<ValuePair> {
+std::string distance_table(const TransientComparison& study,
+                           const TransientDensities& compared_with,
+                           const report::TerminalTextFormat& format) {
+  const auto values = [&](const TransientDensities& solution,
+                          std::size_t k) -> std::optional<ValuePair> {
     const auto at = l1_distances_at(solution, compared_with, k);
     return at ? std::optional(ValuePair{at->y, at->ydot}) : std::nullopt;
   };
@@ -442,8 +448,9 @@ std::string distance_table(const TransientComparison& study, const Transient& co
 
 }  // namespace
 
-std::string solution_summary_text(const TransientComparison& study, const Transient& solution,
-                                  const Transient* compared_with) {
+std::string solution_summary_text(const TransientComparison& study,
+                                  const TransientDensities& solution,
+                                  const TransientDensities* compared_with) {
   std::string line = solution_status_line(solution.id, solution.status, solution.reason);
   if (solution.snapshots.empty()) return line.substr(0, line.rfind(';'));
   const double estimate = largest_l1_error_estimate(solution);
@@ -481,8 +488,9 @@ std::string solution_summary_text(const TransientComparison& study, const Transi
   return line + fmt::format("; {} ({:.1f} s)", solution.details, solution.seconds);
 }
 
-std::string study_table_text(const TransientComparison& study, const report::TextFormat& format) {
-  const Transient* const compared_with = find_reference_solution(study);
+std::string study_table_text(const TransientComparison& study,
+                             const report::TerminalTextFormat& format) {
+  const TransientDensities* const compared_with = find_reference_solution(study);
   std::string text = report::wrap_text(report::case_title(study.problem), format.width);
   text += report::wrap_text(
       study.options.periodic ? fmt::format("second moments of the periodic state of period {:.6g}",
@@ -497,7 +505,7 @@ std::string study_table_text(const TransientComparison& study, const report::Tex
               distances_text;
     }
   }
-  for (const Transient& solution : study.solutions) {
+  for (const TransientDensities& solution : study.solutions) {
     text +=
         report::wrap_text(solution_summary_text(study, solution, compared_with), format.width, 2);
   }
@@ -510,7 +518,7 @@ using Methods = std::vector<SelectedMethod>;
 
 // Returns a series without points, in the plot style of the method. The marks of different
 // solutions are at different times.
-report::FigureSeries make_empty_series(const Methods& methods, const Transient& solution) {
+report::FigureSeries make_empty_series(const Methods& methods, const TransientDensities& solution) {
   const auto method = find_method(methods, solution.id);
   report::FigureSeries series = report::make_empty_series(solution.id, method->identity.plot_style);
   series.group = solution.id;
@@ -524,7 +532,7 @@ report::FigurePanel moment_panel(const TransientComparison& study, const Methods
                                  const std::string& title, const std::string& label,
                                  double Moments::*moment) {
   std::vector<report::FigureSeries> all;
-  for (const Transient& solution : study.solutions) {
+  for (const TransientDensities& solution : study.solutions) {
     if (solution.snapshots.empty()) continue;
     report::FigureSeries series = make_empty_series(methods, solution);
     for (const TransientSnapshot& s : solution.snapshots) {
@@ -541,10 +549,11 @@ report::FigurePanel moment_panel(const TransientComparison& study, const Methods
 }
 
 report::FigurePanel distance_panel(const TransientComparison& study, const Methods& methods,
-                                   const Transient& compared_with, const std::string& title,
+                                   const TransientDensities& compared_with,
+                                   const std::string& title,
                                    double MarginalL1Distances::*distance) {
   std::vector<report::FigureSeries> all;
-  for (const Transient& solution : study.solutions) {
+  for (const TransientDensities& solution : study.solutions) {
     report::FigureSeries series = make_empty_series(methods, solution);
     for (std::size_t k = 0; k < solution.snapshots.size(); ++k) {
       if (const auto at = l1_distances_at(solution, compared_with, k)) {
@@ -562,9 +571,9 @@ report::FigurePanel distance_panel(const TransientComparison& study, const Metho
 }  // namespace
 
 report::Figure study_figure(const TransientComparison& study) {
-  const Transient* const compared_with = find_reference_solution(study);
+  const TransientDensities* const compared_with = find_reference_solution(study);
   if (compared_with == nullptr) return {};
-  const Methods methods = select_methods(study.options, SelectableMethods::with_closures);
+  const Methods methods = methods_selected_by_list(study.options, SelectableMethods::with_closures);
   std::vector<report::FigurePanel> panels{
       moment_panel(study, methods, "mean square displacement", "E[{/:Italic y}^2]", &Moments::y2),
       moment_panel(study, methods, "mean square velocity", "E[{/:Italic y}'^2]", &Moments::v2)};
@@ -593,7 +602,7 @@ report::Figure study_figure(const TransientComparison& study) {
 }
 
 std::string study_netcdf_bytes(const TransientComparison& study, const std::string& command) {
-  const Transient* const compared_with = find_reference_solution(study);
+  const TransientDensities* const compared_with = find_reference_solution(study);
   if (compared_with == nullptr) return "";
   results::NetCdfWriter file;
   file.write_attribute("Conventions", "CF-1.8");
@@ -601,7 +610,7 @@ std::string study_netcdf_bytes(const TransientComparison& study, const std::stri
   file.write_attribute("command", command);
   results::write_problem_attributes(file, study.problem);
   std::vector<std::string> ids;
-  for (const Transient& solution : study.solutions) ids.push_back(solution.id);
+  for (const TransientDensities& solution : study.solutions) ids.push_back(solution.id);
   std::vector<double> times;
   for (const TransientSnapshot& s : compared_with->snapshots) times.push_back(s.time);
   const int solution_dimension = file.define_dimension("solution", ids.size());
@@ -616,7 +625,7 @@ std::string study_netcdf_bytes(const TransientComparison& study, const std::stri
         marginal_of_variable(compared_with->snapshots.front(), variable).edges;
     const int bins = file.write_cell_coordinate(id, meaning, bounds, edges);
     std::vector<double> values;
-    for (const Transient& solution : study.solutions) {
+    for (const TransientDensities& solution : study.solutions) {
       for (std::size_t k = 0; k < times.size(); ++k) {
         if (k < solution.snapshots.size()) {
           const auto& density = marginal_of_variable(solution.snapshots[k], variable).density;

@@ -36,7 +36,7 @@ struct TransientComparison {
   static constexpr const char* kFileStem = "over_time";
   problem::Problem problem;
   TransientComparisonOptions options;
-  std::vector<transform::Transient> solutions;
+  std::vector<transform::TransientDensities> solutions;
 };
 
 /// @throws InputError for invalid options
@@ -49,14 +49,14 @@ TransientComparison compare_over_time(const problem::Problem& problem,
 /// The L1 error is the smaller of two numbers: the estimate of the method, and the distance to the
 /// reference plus the error of the reference.
 /// @param compared_with reference that solves the same equation; null without a reference
-void require_accurate(double accuracy, const transform::Transient* compared_with,
-                      transform::Transient& solution);
+void require_accurate(double accuracy, const transform::TransientDensities* compared_with,
+                      transform::TransientDensities& solution);
 
 /// Returns the reference solution, with which all other solutions are compared. The reference is
 /// the first finite-volume solution with a density at the end time and the status `ok` or
 /// `inaccurate`. Without such a finite-volume solution, the reference is the first simulation with
 /// the same properties. The result is null if no solution has these properties.
-const transform::Transient* find_reference_solution(const TransientComparison& study);
+const transform::TransientDensities* find_reference_solution(const TransientComparison& study);
 
 /// Returns whether at least one finite-volume solution or simulation has the status `ok`, and all
 /// finite-volume solutions and simulations have the status `ok` or `not_offered`. Failures of
@@ -68,8 +68,8 @@ const transform::Marginal& marginal_of_variable(const transform::TransientSnapsh
 
 /// Returns the L1 distances of a solution to the reference at one snapshot. The result is empty for
 /// the reference itself, or if one of both solutions lacks the snapshot.
-std::optional<MarginalL1Distances> l1_distances_at(const transform::Transient& solution,
-                                                   const transform::Transient& reference,
+std::optional<MarginalL1Distances> l1_distances_at(const transform::TransientDensities& solution,
+                                                   const transform::TransientDensities& reference,
                                                    std::size_t snapshot);
 
 /// Returns the indices of evenly spaced snapshots with at most `most_intervals` intervals between
@@ -81,14 +81,15 @@ std::vector<std::size_t> evenly_spaced_snapshots(const TransientComparison& stud
 /// a solution in one sentence.
 /// @param compared_with the reference; null without a reference
 std::string solution_summary_text(const TransientComparison& study,
-                                  const transform::Transient& solution,
-                                  const transform::Transient* compared_with);
+                                  const transform::TransientDensities& solution,
+                                  const transform::TransientDensities* compared_with);
 
 std::string study_json_text(const TransientComparison& study, const std::string& command);
 /// Returns the marginal densities with the columns case, solution, time, variable, abscissa,
 /// density, lower, upper.
 std::string study_csv_text(const TransientComparison& study);
-std::string study_table_text(const TransientComparison& study, const report::TextFormat& format);
+std::string study_table_text(const TransientComparison& study,
+                             const report::TerminalTextFormat& format);
 report::Figure study_figure(const TransientComparison& study);
 /// Returns the bytes of a netCDF-4 file with the marginal densities p_y(solution, time, y) and
 /// p_ydot(solution, time, ydot). A missing density has the value NaN. The result is empty if no

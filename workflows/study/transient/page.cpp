@@ -29,7 +29,7 @@ using report::html_element;
 using transform::Marginal;
 using transform::Moments;
 using transform::StateVariable;
-using transform::Transient;
+using transform::TransientDensities;
 using transform::TransientSnapshot;
 
 // Ids of the HTML elements of the slider and of the plots.
@@ -43,18 +43,19 @@ constexpr std::pair<const char*, double Moments::*> kMomentsInTable[] = {
 
 std::string time_text(double time) { return fmt::format("t = {:.4g}", time); }
 
-const TransientSnapshot* find_snapshot(const Transient& solution, std::size_t snapshot) {
+const TransientSnapshot* find_snapshot(const TransientDensities& solution, std::size_t snapshot) {
   return snapshot < solution.snapshots.size() ? &solution.snapshots[snapshot] : nullptr;
 }
 
 // Returns the table of the moments and L1 distances of all solutions at one time.
-std::string snapshot_table_html(const TransientComparison& study, const Transient& compared_with,
-                                std::size_t snapshot) {
-  std::vector<report::HtmlColumn> columns{{"solution", report::Align::left}};
-  for (const Transient& solution : study.solutions) columns[0].cells.push_back(solution.id);
+std::string snapshot_table_html(const TransientComparison& study,
+                                const TransientDensities& compared_with, std::size_t snapshot) {
+  std::vector<report::HtmlTableColumn> columns{{"solution", report::TextAlignment::left}};
+  for (const TransientDensities& solution : study.solutions)
+    columns[0].cells.push_back(solution.id);
   const auto add_column = [&](const std::string& header, const auto& cell) {
-    report::HtmlColumn column{header};
-    for (const Transient& solution : study.solutions) {
+    report::HtmlTableColumn column{header};
+    for (const TransientDensities& solution : study.solutions) {
       const TransientSnapshot* at = find_snapshot(solution, snapshot);
       column.cells.push_back(at ? cell(solution, *at) : std::string(report::kNoValue));
     }
@@ -65,18 +66,18 @@ std::string snapshot_table_html(const TransientComparison& study, const Transien
     const char* density = of_y ? "p(y)" : "p(y\u2032)";
     add_column(
         fmt::format("L1 to {}, {}", compared_with.id, density),
-        [&](const Transient& solution, const TransientSnapshot&) {
+        [&](const TransientDensities& solution, const TransientSnapshot&) {
           const auto l1 = l1_distances_at(solution, compared_with, snapshot);
           return report::l1_cell_text(l1 ? std::optional(of_y ? l1->y : l1->ydot) : std::nullopt);
         });
-    add_column(
-        fmt::format("L1 error, {}", density), [&](const Transient&, const TransientSnapshot& at) {
-          return report::l1_cell_text(
-              at.error ? std::optional(of_y ? at.error->y_l1 : at.error->ydot_l1) : std::nullopt);
-        });
+    add_column(fmt::format("L1 error, {}", density), [&](const TransientDensities&,
+                                                         const TransientSnapshot& at) {
+      return report::l1_cell_text(
+          at.error ? std::optional(of_y ? at.error->y_l1 : at.error->ydot_l1) : std::nullopt);
+    });
   }
   for (const auto& [header, member] : kMomentsInTable) {
-    add_column(header, [moment = member](const Transient&, const TransientSnapshot& at) {
+    add_column(header, [moment = member](const TransientDensities&, const TransientSnapshot& at) {
       const double error =
           at.error ? at.error->moments.*moment : std::numeric_limits<double>::quiet_NaN();
       const std::string value = fmt::format("{:.5f}", at.moments.*moment);
@@ -96,7 +97,8 @@ results::DensityCurve make_density_curve(const std::string& solution, StateVaria
                               .density = marginal.density,
                               .lower = marginal.lower,
                               .upper = marginal.upper};
-  for (std::size_t b = 0; b < marginal.size(); ++b) curve.abscissa.push_back(marginal.centre(b));
+  for (std::size_t b = 0; b < marginal.size(); ++b)
+    curve.abscissa.push_back(marginal.bin_centre(b));
   return curve;
 }
 
@@ -105,10 +107,10 @@ results::DensityCurve make_density_curve(const std::string& solution, StateVaria
 // of all times have the same curves.
 results::CaseResult densities_at(const TransientComparison& study,
                                  const std::vector<SelectedMethod>& methods,
-                                 const Transient& compared_with, std::size_t snapshot) {
+                                 const TransientDensities& compared_with, std::size_t snapshot) {
   results::CaseResult densities{study.problem};
   densities.assessment.reference = compared_with.id;
-  for (const Transient& solution : study.solutions) {
+  for (const TransientDensities& solution : study.solutions) {
     if (solution.snapshots.empty()) continue;
     densities.solutions.push_back({.identity = find_method(methods, solution.id)->identity,
                                    .status = solution.status,
@@ -141,12 +143,12 @@ void extend_ranges(report::MarginalAxisRanges& all, const report::MarginalAxisRa
 }
 
 // Returns the plots of the densities at each shown time. All times have the same axis ranges.
-std::vector<std::vector<report::PagePlot>> density_plots(const TransientComparison& study,
-                                                         const Transient& compared_with,
-                                                         const std::vector<std::size_t>& shown) {
-  const auto methods = select_methods(study.options, SelectableMethods::with_closures);
+std::vector<std::vector<report::ReportPagePlot>> density_plots(
+    const TransientComparison& study, const TransientDensities& compared_with,
+    const std::vector<std::size_t>& shown) {
+  const auto methods = methods_selected_by_list(study.options, SelectableMethods::with_closures);
   std::set<std::string> ids;
-  for (const Transient& solution : study.solutions) ids.insert(solution.id);
+  for (const TransientDensities& solution : study.solutions) ids.insert(solution.id);
   std::vector<results::CaseResult> densities;
   for (const std::size_t snapshot : shown)
     densities.push_back(densities_at(study, methods, compared_with, snapshot));
@@ -158,7 +160,7 @@ std::vector<std::vector<report::PagePlot>> density_plots(const TransientComparis
     for (std::size_t m = 0; m < ranges.size(); ++m)
       extend_ranges(ranges[m], content.marginals[m].ranges);
   }
-  std::vector<std::vector<report::PagePlot>> plots;
+  std::vector<std::vector<report::ReportPagePlot>> plots;
   for (auto& content : contents) {
     for (std::size_t m = 0; m < ranges.size(); ++m) content.marginals[m].ranges = ranges[m];
     plots.push_back(
@@ -168,7 +170,7 @@ std::vector<std::vector<report::PagePlot>> density_plots(const TransientComparis
 }
 
 // Returns the plots of the moments and distances over time, without the heat maps of the figure.
-std::vector<report::PagePlot> plots_over_time(const TransientComparison& study) {
+std::vector<report::ReportPagePlot> plots_over_time(const TransientComparison& study) {
   report::Figure figure = study_figure(study);
   std::erase_if(figure.panels, [](const report::FigurePanel& panel) { return panel.map; });
   for (std::size_t k = 0; k < figure.panels.size(); ++k) {
@@ -192,9 +194,9 @@ std::string slider_html(std::size_t count) {
 }
 
 // Returns the groups of plots as JSON: the input of the script page.js.
-std::string plot_groups_json(const std::vector<std::vector<report::PagePlot>>& densities,
+std::string plot_groups_json(const std::vector<std::vector<report::ReportPagePlot>>& densities,
                              const std::vector<std::string>& labels,
-                             const std::vector<report::PagePlot>& others) {
+                             const std::vector<report::ReportPagePlot>& others) {
   std::string steps;
   for (const auto& plots : densities)
     steps += (steps.empty() ? "" : ",") + report::plots_json(plots);
@@ -206,7 +208,7 @@ std::string plot_groups_json(const std::vector<std::vector<report::PagePlot>>& d
 
 std::string study_page_html(const TransientComparison& study, const std::string& command) {
   constexpr int kMostIntervalsOnPage = 100;  // a page of at most some megabytes
-  const Transient* const compared_with = find_reference_solution(study);
+  const TransientDensities* const compared_with = find_reference_solution(study);
   if (compared_with == nullptr) return "";
   const auto shown = evenly_spaced_snapshots(study, kMostIntervalsOnPage);
   std::string tables, summaries;
@@ -216,7 +218,7 @@ std::string study_page_html(const TransientComparison& study, const std::string&
     tables += fmt::format("<div data-slider=\"{}\">\n{}</div>\n", kSliderId,
                           snapshot_table_html(study, *compared_with, snapshot));
   }
-  for (const Transient& solution : study.solutions) {
+  for (const TransientDensities& solution : study.solutions) {
     summaries += html_element("li", solution_summary_text(study, solution, compared_with) + '.');
   }
   const auto densities = density_plots(study, *compared_with, shown);

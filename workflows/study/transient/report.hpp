@@ -15,7 +15,7 @@ namespace fpkcheck::study {
 struct TransientRun {
   std::string command;
   problem::Problem problem;
-  fd_fpk::Options options;
+  fd_fpk::FiniteVolumeOptions options;
   fd_fpk::TransientOptions transient;
   fd_fpk::TransientResult result;
 };

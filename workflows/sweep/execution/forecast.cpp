@@ -62,7 +62,7 @@ class QuadraticBasis {
   };
 
   double scaled(std::size_t axis, double value) const {
-    return plan_.axes[axis].spacing == AxisSpacing::logarithmic ? std::log(value) : value;
+    return plan_.axes[axis].spacing == SweepAxisSpacing::logarithmic ? std::log(value) : value;
   }
 
   const SweepPlan& plan_;
@@ -165,7 +165,7 @@ double parallel_wall_clock_time(std::span<const double> seconds, std::size_t wor
 }
 
 SolveTimeForecast forecast_solve_times(const SweepPlan& plan,
-                                       const std::vector<PointResult>& solved, int threads) {
+                                       const std::vector<SweepPointResult>& solved, int threads) {
   SolveTimeForecast found;
   std::set<std::size_t> known;
   for (const auto& one : solved) {
@@ -182,7 +182,7 @@ SolveTimeForecast forecast_solve_times(const SweepPlan& plan,
   std::mutex mutex;
   base::parallel_for(chosen.size(), threads, [&](std::size_t k) {
     if (base::stop_requested()) return;
-    const double seconds = solve_point(plan, chosen[k]).result.seconds;
+    const double seconds = solve_sweep_point(plan, chosen[k]).result.seconds;
     const std::lock_guard lock(mutex);
     found.sample.push_back({chosen[k], seconds});
   });

@@ -62,6 +62,6 @@ struct SolveTimeForecast {
 /// @param threads number of threads; 0 for one thread per processor
 /// @throws any exception of a solver
 SolveTimeForecast forecast_solve_times(const SweepPlan& plan,
-                                       const std::vector<PointResult>& solved, int threads);
+                                       const std::vector<SweepPointResult>& solved, int threads);
 
 }  // namespace fpkcheck::sweep

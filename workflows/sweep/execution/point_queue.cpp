@@ -17,8 +17,8 @@ constexpr std::size_t kInitialSample = 24, kMinMeasurements = 16;
 
 }  // namespace
 
-PointQueue::PointQueue(const SweepPlan& plan, const std::vector<std::size_t>& own_points,
-                       const std::vector<PointResult>& solved)
+SweepPointQueue::SweepPointQueue(const SweepPlan& plan, const std::vector<std::size_t>& own_points,
+                                 const std::vector<SweepPointResult>& solved)
     : plan_(plan), total_(own_points.size()) {
   std::set<std::size_t> known;
   for (const auto& one : solved) {
@@ -38,7 +38,7 @@ PointQueue::PointQueue(const SweepPlan& plan, const std::vector<std::size_t>& ow
   waiting_.insert(waiting_.end(), first.rbegin(), first.rend());
 }
 
-std::optional<std::size_t> PointQueue::take_next_point() {
+std::optional<std::size_t> SweepPointQueue::take_next_sweep_point() {
   const std::lock_guard lock(mutex_);
   if (waiting_.empty()) return std::nullopt;
   const std::size_t point = waiting_.back();
@@ -46,7 +46,7 @@ std::optional<std::size_t> PointQueue::take_next_point() {
   return point;
 }
 
-void PointQueue::record_solve_time(std::size_t point, double seconds) {
+void SweepPointQueue::record_solve_time(std::size_t point, double seconds) {
   const std::lock_guard lock(mutex_);
   measured_.push_back({point, seconds});
   --unfinished_;
@@ -57,22 +57,22 @@ void PointQueue::record_solve_time(std::size_t point, double seconds) {
   }
 }
 
-void PointQueue::sort_if_enough_measured() {
+void SweepPointQueue::sort_if_enough_measured() {
   if (measured_.size() < kMinMeasurements) return;
   expected_ = SolveTimeModel(plan_, measured_).all_expected_seconds();
   std::ranges::stable_sort(waiting_, {}, [this](std::size_t p) { return expected_[p]; });
   for (const std::size_t p : waiting_) remaining_seconds_ += expected_[p];
 }
 
-PointQueue::State PointQueue::state() const {
+SweepPointQueue::State SweepPointQueue::state() const {
   const std::lock_guard lock(mutex_);
   return {total_ - unfinished_, total_,
           expected_.empty() ? std::nullopt : std::optional(remaining_seconds_)};
 }
 
 JournaledPointQueue::JournaledPointQueue(const SweepPlan& plan,
-                                         const std::filesystem::path& directory, const Shard& shard,
-                                         QueueStateListener listener)
+                                         const std::filesystem::path& directory,
+                                         const SweepShard& shard, QueueStateListener listener)
     : plan_(plan),
       directory_(directory),
       journal_name_(shard.journal_name()),
@@ -94,12 +94,12 @@ std::string JournaledPointQueue::resumption_text() const {
   return text;
 }
 
-std::optional<std::size_t> JournaledPointQueue::take_next_point() {
+std::optional<std::size_t> JournaledPointQueue::take_next_sweep_point() {
   if (closed_ || base::stop_requested()) return std::nullopt;
-  return queue_.take_next_point();
+  return queue_.take_next_sweep_point();
 }
 
-void JournaledPointQueue::store_solved_point(SolvedPoint&& solved) {
+void JournaledPointQueue::store_solved_point(SolvedSweepPoint&& solved) {
   queue_.record_solve_time(solved.result.point, solved.result.seconds);
   const std::lock_guard lock(mutex_);
   // The marginal densities must exist before the journal lists the point as solved.

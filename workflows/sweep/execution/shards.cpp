@@ -24,13 +24,13 @@ namespace fs = std::filesystem;
 using base::sanitise;
 using results::Json;
 
-std::optional<Shard> parse_shard_numbers(std::string_view text, std::string_view separator) {
+std::optional<SweepShard> parse_shard_numbers(std::string_view text, std::string_view separator) {
   const auto at = text.find(separator);
   if (at == std::string_view::npos) return std::nullopt;
   const auto number = base::parse_number<std::size_t>(text.substr(0, at)),
              of = base::parse_number<std::size_t>(text.substr(at + separator.size()));
   if (!number || !of || *number < 1 || *number > *of) return std::nullopt;
-  return Shard{*number, *of};
+  return SweepShard{*number, *of};
 }
 
 bool is_journal(const fs::directory_entry& entry) {
@@ -54,7 +54,7 @@ std::vector<fs::path> journals_in(const fs::path& directory) {
   return found;
 }
 
-Json parse_plan_json(const JournalContent& content, const fs::path& file) {
+Json parse_plan_json(const SweepJournalContent& content, const fs::path& file) {
   std::istringstream text(content.plan);
   return results::parse_json(text, sanitise(file.string()));
 }
@@ -74,7 +74,7 @@ std::string shards_of_points_text(const std::vector<std::size_t>& points, std::s
   // Largest number of shards named in a line of text. Later runs name the remaining shards.
   constexpr std::size_t kMaxNamedShards = 8;
   std::map<std::size_t, std::size_t> counts;
-  for (const std::size_t p : points) ++counts[Shard::containing(p, of).number];
+  for (const std::size_t p : points) ++counts[SweepShard::containing(p, of).number];
   std::vector<std::string> named;
   for (const auto& [number, count] : counts) {
     if (named.size() == kMaxNamedShards) break;
@@ -99,40 +99,40 @@ std::string missing_points_text(const std::set<std::size_t>& there, std::size_t 
 
 }  // namespace
 
-std::vector<std::size_t> Shard::point_numbers(std::size_t total_points) const {
+std::vector<std::size_t> SweepShard::point_numbers(std::size_t total_points) const {
   std::vector<std::size_t> own_points;
   for (std::size_t p = number - 1; p < total_points; p += of) own_points.push_back(p);
   return own_points;
 }
 
-std::string Shard::journal_name() const {
+std::string SweepShard::journal_name() const {
   return of == 1 ? "journal" : fmt::format("journal.{}-of-{}", number, of);
 }
 
-std::optional<Shard> shard_of_journal(std::string_view name) {
-  if (name == "journal") return Shard{};
+std::optional<SweepShard> shard_of_journal(std::string_view name) {
+  if (name == "journal") return SweepShard{};
   constexpr std::string_view kBefore = "journal.";
   if (!name.starts_with(kBefore)) return std::nullopt;
   return parse_shard_numbers(name.substr(kBefore.size()), "-of-");
 }
 
-Shard parse_shard(std::string_view text) {
+SweepShard parse_shard(std::string_view text) {
   if (const auto shard = parse_shard_numbers(text, "/")) return *shard;
   throw InputError(fmt::format("--shard {} (must be i/N with 1 <= i <= N)", base::in_quotes(text)));
 }
 
-MergedSweep merge_journals(const std::vector<fs::path>& directories,
-                           const methods::SolverRegistry& registry) {
+MergedSweep merge_sweep_journals(const std::vector<fs::path>& directories,
+                                 const methods::SolverRegistry& registry) {
   std::optional<Json> plan;
   fs::path of_plan;
-  std::vector<PointResult> points;
+  std::vector<SweepPointResult> points;
   std::set<std::size_t> seen;
   // If the numbers of shards differ between journals, the largest number is used, with which the
   // fewest points are solved twice.
   std::size_t damaged = 0, of = 1;
   for (const auto& directory : directories) {
     for (const auto& file : journals_in(directory)) {
-      auto content = read_journal(file);
+      auto content = read_sweep_journal(file);
       if (const auto shard = shard_of_journal(file.filename().string())) {
         of = std::max(of, shard->of);
       }

@@ -51,7 +51,7 @@ constexpr const char* kNoPointsLeft = "none";
 /// Solver threads of a rank. The calling thread meanwhile exchanges messages with the other ranks.
 class BackgroundSolver {
  public:
-  BackgroundSolver(const SweepPlan& plan, PointSource& points, int threads)
+  BackgroundSolver(const SweepPlan& plan, SweepPointSource& points, int threads)
       : points_(points), solving_(std::async(std::launch::async, [&plan, &points, threads] {
           solve_remaining_points(plan, points, threads);
         })) {}
@@ -66,18 +66,18 @@ class BackgroundSolver {
   void join() { solving_.get(); }
 
  private:
-  PointSource& points_;
+  SweepPointSource& points_;
   std::future<void> solving_;
 };
 
 /// Point source of a worker: the points that the coordinator assigned to the worker, and the
 /// results that the worker has not yet sent to the coordinator.
-class AssignedPoints final : public PointSource {
+class AssignedPoints final : public SweepPointSource {
  public:
   AssignedPoints(const SweepPlan& plan, std::filesystem::path directory)
       : plan_(plan), directory_(std::move(directory)) {}
 
-  std::optional<std::size_t> take_next_point() override {
+  std::optional<std::size_t> take_next_sweep_point() override {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return closed_ || !waiting_.empty(); });
     if (closed_ || base::stop_requested()) return std::nullopt;
@@ -85,9 +85,9 @@ class AssignedPoints final : public PointSource {
     waiting_.pop_front();
     return point;
   }
-  void store_solved_point(SolvedPoint&& solved) override {
+  void store_solved_point(SolvedSweepPoint&& solved) override {
     write_marginals(plan_, directory_, solved);
-    std::string text = kSolved + journal_line(solved.result);
+    std::string text = kSolved + sweep_journal_line(solved.result);
     const std::lock_guard lock(mutex_);
     results_.push_back(std::move(text));
   }
@@ -123,7 +123,7 @@ class AssignedPoints final : public PointSource {
 // @param points source of points; null if no point can be assigned
 // @param solver solver threads of this rank; null without solver threads
 // @return first failure of a worker or of the journal; null without a failure
-std::exception_ptr serve_workers(base::Communicator& ranks, PointSource* points,
+std::exception_ptr serve_workers(base::Communicator& ranks, SweepPointSource* points,
                                  const BackgroundSolver* solver) {
   std::exception_ptr failure;
   const auto end_after = [&](const std::exception_ptr& why) {
@@ -131,7 +131,7 @@ std::exception_ptr serve_workers(base::Communicator& ranks, PointSource* points,
     if (points != nullptr) points->close();
   };
   Backoff backoff;
-  for (int workers = ranks.size() - 1;
+  for (int workers = ranks.process_count() - 1;
        workers > 0 || (solver != nullptr && solver->is_running());) {
     const auto message = ranks.receive();
     if (!message) {
@@ -157,7 +157,7 @@ std::exception_ptr serve_workers(base::Communicator& ranks, PointSource* points,
       } catch (...) {
         end_after(std::current_exception());
       }
-      next = points->take_next_point();
+      next = points->take_next_sweep_point();
     }
     ranks.send(message->from, next ? std::to_string(*next) : kNoPointsLeft);
   }
@@ -218,12 +218,13 @@ void run_worker(const SweepPlan& plan, const std::filesystem::path& directory,
 
 }  // namespace
 
-void solve_remaining_points(const SweepPlan& plan, PointSource& points, int threads) {
+void solve_remaining_points(const SweepPlan& plan, SweepPointSource& points, int threads) {
   const int thread_count = base::resolve_thread_count(threads);
   base::parallel_for(static_cast<std::size_t>(thread_count), thread_count, [&](std::size_t) {
     try {
-      for (auto point = points.take_next_point(); point; point = points.take_next_point()) {
-        points.store_solved_point(solve_point(plan, *point));
+      for (auto point = points.take_next_sweep_point(); point;
+           point = points.take_next_sweep_point()) {
+        points.store_solved_point(solve_sweep_point(plan, *point));
       }
     } catch (...) {
       points.close();
@@ -232,9 +233,9 @@ void solve_remaining_points(const SweepPlan& plan, PointSource& points, int thre
   });
 }
 
-void solve_plan(const SweepPlan& plan, const std::filesystem::path& directory,
-                base::Communicator* ranks, int threads,
-                const std::function<JournaledPointQueue&()>& open_queue) {
+void solve_sweep_plan(const SweepPlan& plan, const std::filesystem::path& directory,
+                      base::Communicator* ranks, int threads,
+                      const std::function<JournaledPointQueue&()>& open_queue) {
   if (ranks != nullptr && !ranks->is_first_rank()) {
     run_worker(plan, directory, *ranks, threads);
     return;

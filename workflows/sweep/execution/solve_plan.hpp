@@ -23,7 +23,7 @@ namespace fpkcheck::sweep {
 /// regions of the plan. When the measured times of the sample suffice for predictions, the queue is
 /// sorted by decreasing expected time. Threads therefore do not wait for a single long point at the
 /// end of the sweep.
-class PointQueue {
+class SweepPointQueue {
  public:
   struct State {
     std::size_t done = 0,
@@ -35,11 +35,11 @@ class PointQueue {
   /// @param own_points points of this queue, in increasing order
   /// @param solved points that were solved before, for the cost model; points of other queues are
   /// allowed
-  PointQueue(const SweepPlan& plan, const std::vector<std::size_t>& own_points,
-             const std::vector<PointResult>& solved);
+  SweepPointQueue(const SweepPlan& plan, const std::vector<std::size_t>& own_points,
+                  const std::vector<SweepPointResult>& solved);
 
   /// Removes and returns the next point; empty if no point remains.
-  std::optional<std::size_t> take_next_point();
+  std::optional<std::size_t> take_next_sweep_point();
   /// Records the wall-clock time of a solved point. The caller must record every solved point.
   void record_solve_time(std::size_t point, double seconds);
 
@@ -61,70 +61,70 @@ class PointQueue {
 };
 
 /// Thread-safe source of the unsolved points, which also receives the results of these points.
-class PointSource {
+class SweepPointSource {
  public:
-  virtual ~PointSource() = default;
+  virtual ~SweepPointSource() = default;
   /// Removes and returns the next point. If another process assigns the points, the function waits
   /// for the assignment.
   /// @return the next point; empty if no point remains, after a stop request, and after close()
-  virtual std::optional<std::size_t> take_next_point() = 0;
-  virtual void store_solved_point(SolvedPoint&& solved) = 0;
-  /// Ends the assignment of points: take_next_point() returns no further point.
+  virtual std::optional<std::size_t> take_next_sweep_point() = 0;
+  virtual void store_solved_point(SolvedSweepPoint&& solved) = 0;
+  /// Ends the assignment of points: take_next_sweep_point() returns no further point.
   virtual void close() = 0;
 };
 
 /// Listener that receives the state of the queue after each solved point. Several threads call the
 /// listener, but never at the same time. An exception of the listener ends the sweep.
-using QueueStateListener = std::function<void(const PointQueue::State&)>;
+using QueueStateListener = std::function<void(const SweepPointQueue::State&)>;
 
 /// Journal of a sweep, with a queue of the points that the journal lacks.
-class JournaledPointQueue final : public PointSource {
+class JournaledPointQueue final : public SweepPointSource {
  public:
   /// Opens or creates the journal of a sweep in the directory.
   /// @throws the exceptions of Journal's constructor
   JournaledPointQueue(const SweepPlan& plan, const std::filesystem::path& directory,
-                      const Shard& shard, QueueStateListener listener);
+                      const SweepShard& shard, QueueStateListener listener);
 
-  std::optional<std::size_t> take_next_point() override;
-  void store_solved_point(SolvedPoint&& solved) override;
+  std::optional<std::size_t> take_next_sweep_point() override;
+  void store_solved_point(SolvedSweepPoint&& solved) override;
   void close() override { closed_ = true; }
 
-  PointQueue::State state() const { return queue_.state(); }
+  SweepPointQueue::State state() const { return queue_.state(); }
   /// Returns a line of text with the numbers of solved points, remaining points and damaged lines
   /// of a resumed sweep. The text is empty for a new journal.
   std::string resumption_text() const;
   /// Returns the results of all solved points, first the points of earlier runs.
-  std::vector<PointResult> solved_points() const { return points_; }
+  std::vector<SweepPointResult> solved_points() const { return points_; }
 
  private:
   const SweepPlan& plan_;
   std::filesystem::path directory_;
   std::string journal_name_;
-  Journal journal_;
-  PointQueue queue_;
+  SweepJournal journal_;
+  SweepPointQueue queue_;
   QueueStateListener listener_;
   std::atomic<bool> closed_ = false;
   std::mutex mutex_;
-  std::vector<PointResult> points_;
+  std::vector<SweepPointResult> points_;
 };
 
 /// Solves all points that a source returns. Each thread solves one point at a time. After an
 /// exception on a thread, the points in progress are completed, and the exception is rethrown.
 /// @param threads number of threads; 0 for one thread per processor
-void solve_remaining_points(const SweepPlan& plan, PointSource& points, int threads);
+void solve_remaining_points(const SweepPlan& plan, SweepPointSource& points, int threads);
 
 /// Solves the remaining points of a plan on the threads of this process or of all MPI ranks. Under
-/// MPI each rank calls solve_plan(). The first rank, the coordinator, writes the journal, assigns
-/// points to free threads by decreasing expected time, and also solves points. All further ranks,
-/// the workers, only solve points. After an exception on a thread or a rank, the points in progress
-/// are completed, and the exception is rethrown.
+/// MPI each rank calls solve_sweep_plan(). The first rank, the coordinator, writes the journal,
+/// assigns points to free threads by decreasing expected time, and also solves points. All further
+/// ranks, the workers, only solve points. After an exception on a thread or a rank, the points in
+/// progress are completed, and the exception is rethrown.
 /// @param directory output directory for the marginal densities
 /// @param ranks communicator of the MPI ranks; null without MPI
 /// @param threads number of threads of this rank; 0 for one thread per processor of the rank
 /// @param open_queue function that opens the journal, called only on the first rank. If
 /// open_queue() throws an exception, the workers end.
-void solve_plan(const SweepPlan& plan, const std::filesystem::path& directory,
-                base::Communicator* ranks, int threads,
-                const std::function<JournaledPointQueue&()>& open_queue);
+void solve_sweep_plan(const SweepPlan& plan, const std::filesystem::path& directory,
+                      base::Communicator* ranks, int threads,
+                      const std::function<JournaledPointQueue&()>& open_queue);
 
 }  // namespace fpkcheck::sweep

@@ -33,7 +33,7 @@ Solution failed_solution(const methods::Method& method, const std::string& reaso
 }
 
 Solution solution_or_failure(const methods::Method& method, const problem::Problem& problem,
-                             const methods::SolveContext& context) {
+                             const methods::SolverInputContext& context) {
   try {
     if (method.check) method.check(problem);
     return methods::solve_with_method(method, problem, context);
@@ -58,23 +58,23 @@ std::vector<BudgetContribution> error_budget_contributions(
       continue;
     }
     for (const auto& part : closure.y->parts) {
-      const auto* same = closure.ydot->find(part.name());
-      if (same != nullptr) shares.push_back({part.name(), {part.l1, same->l1}});
+      const auto* same = closure.ydot->find_budget_part(part.part_name());
+      if (same != nullptr) shares.push_back({part.part_name(), {part.l1, same->l1}});
     }
   }
   return shares;
 }
 
-MethodResult make_method_result(const Solution& solution) {
-  MethodResult result{.status = solution.status,
-                      .reason = solution.reason,
-                      .seconds = solution.seconds,
-                      .error = finite_error_estimate(solution)};
+SweepMethodResult make_method_result(const Solution& solution) {
+  SweepMethodResult result{.status = solution.status,
+                           .reason = solution.reason,
+                           .seconds = solution.seconds,
+                           .error = finite_error_estimate(solution)};
   if (solution.has_density()) result.moments = solution.moments;
   return result;
 }
 
-std::optional<MarginalL1Values> l1_distance(const compare::Comparison& comparison,
+std::optional<MarginalL1Values> l1_distance(const compare::SolutionComparison& comparison,
                                             const Solution& solution, const Solution& reference) {
   const auto l1 = [&](StateVariable variable) {
     return compare::l1_distance_between(comparison.pairs, solution.id(), reference.id(), variable);
@@ -84,9 +84,9 @@ std::optional<MarginalL1Values> l1_distance(const compare::Comparison& compariso
   return MarginalL1Values{*y, *ydot};
 }
 
-SolvedPoint solve_and_compare_methods(const SweepPlan& plan, std::size_t point) {
-  SolvedPoint solved_point{{.point = point}, {}};
-  PointResult& result = solved_point.result;
+SolvedSweepPoint solve_and_compare_methods(const SweepPlan& plan, std::size_t point) {
+  SolvedSweepPoint solved_point{{.point = point}, {}};
+  SweepPointResult& result = solved_point.result;
   std::optional<problem::Problem> problem;
   try {
     problem = plan.problem_at(point);
@@ -108,7 +108,7 @@ SolvedPoint solve_and_compare_methods(const SweepPlan& plan, std::size_t point) 
 
   const Solution* reference =
       transform::find_solution(solutions, compare::assess_solutions(solutions).reference);
-  compare::Comparison comparison;
+  compare::SolutionComparison comparison;
   if (reference != nullptr || plan.marginals) {
     comparison = compare::compare_solutions(axes, solutions);
   }
@@ -133,17 +133,17 @@ SolvedPoint solve_and_compare_methods(const SweepPlan& plan, std::size_t point) 
 
 }  // namespace
 
-SolvedPoint solve_point(const SweepPlan& plan, std::size_t point) {
+SolvedSweepPoint solve_sweep_point(const SweepPlan& plan, std::size_t point) {
   const base::Stopwatch stopwatch;
-  SolvedPoint solved_point = solve_and_compare_methods(plan, point);
+  SolvedSweepPoint solved_point = solve_and_compare_methods(plan, point);
   solved_point.result.seconds = stopwatch.seconds();
   return solved_point;
 }
 
 void write_marginals(const SweepPlan& plan, const std::filesystem::path& directory,
-                     const SolvedPoint& solved) {
+                     const SolvedSweepPoint& solved) {
   if (solved.curves.empty()) return;
-  const base::ExitBlocker in_hand;
+  const base::ProcessExitBlocker in_hand;
   std::filesystem::create_directories(directory / "marginals");
   const std::vector<results::CaseResult> cases{
       {.problem = plan.problem_at(solved.result.point), .curves = solved.curves}};

@@ -18,11 +18,11 @@ struct MapNeighbour {
 
 // Returns the map points with the impulse law and the relative mean of the problem, the closest
 // point first.
-std::vector<MapNeighbour> neighbours_by_distance(const MapCoordinates& coordinates,
+std::vector<MapNeighbour> neighbours_by_distance(const ValidityMapCoordinates& coordinates,
                                                  const ValidityMap& map) {
   std::vector<MapNeighbour> neighbours;
   for (const auto& point : map.points) {
-    const double separation = map_distance(coordinates, point.coordinates);
+    const double separation = validity_map_distance(coordinates, point.coordinates);
     if (std::isfinite(separation)) neighbours.push_back({separation, &point});
   }
   std::ranges::stable_sort(neighbours, {}, &MapNeighbour::separation);
@@ -31,7 +31,7 @@ std::vector<MapNeighbour> neighbours_by_distance(const MapCoordinates& coordinat
 
 // Among the promised methods that take at most 1.5 times the shortest time, moves the most accurate
 // method to the front. The factor 1.5 is the accuracy of wall-clock times.
-void move_most_accurate_method_first(std::vector<NearbyMethodResults>& methods) {
+void move_most_accurate_method_first(std::vector<MethodResultsAtNearbyPoints>& methods) {
   constexpr double kSimilarTimeRatio = 1.5;
   if (methods.empty() || !methods.front().promised) return;
   auto best = methods.begin();
@@ -48,10 +48,10 @@ double l1_error_bound(const ValidityMapResult& method_result, const ValidityMapR
   return *method_result.l1 + (&method_result == &reference ? 0 : *reference.l1);
 }
 
-NearbyMethodResults nearby_method_results(const std::string& id, std::size_t m,
-                                          const std::vector<MapNeighbour>& neighbours,
-                                          double accuracy) {
-  NearbyMethodResults found{.id = id};
+MethodResultsAtNearbyPoints nearby_method_results(const std::string& id, std::size_t m,
+                                                  const std::vector<MapNeighbour>& neighbours,
+                                                  double accuracy) {
+  MethodResultsAtNearbyPoints found{.id = id};
   std::vector<double> seconds;
   double nearest_distance = std::numeric_limits<double>::infinity();
   bool all_hold = true;
@@ -61,13 +61,13 @@ NearbyMethodResults nearby_method_results(const std::string& id, std::size_t m,
     if (!method_result) continue;
     nearest_distance = std::min(nearest_distance, separation);
     ++found.points;
-    found.ok += method_result->is_ok() ? 1 : 0;
+    found.ok += method_result->has_status_ok() ? 1 : 0;
     seconds.push_back(method_result->seconds);
     const double off = method_result->l1
                            ? l1_error_bound(*method_result, *point->method_results.back())
                            : std::numeric_limits<double>::infinity();
-    all_hold = all_hold && method_result->is_ok() && off < accuracy;
-    if (method_result->is_ok() || method_result->status == transform::Status::inaccurate) {
+    all_hold = all_hold && method_result->has_status_ok() && off < accuracy;
+    if (method_result->has_status_ok() || method_result->status == transform::Status::inaccurate) {
       found.worst_l1 = std::max(found.worst_l1.value_or(0), method_result->l1.value_or(0));
     }
     if (method_result->underestimated && *method_result->l1 > accuracy) ++found.underestimated;
@@ -80,13 +80,14 @@ NearbyMethodResults nearby_method_results(const std::string& id, std::size_t m,
 
 }  // namespace
 
-std::vector<NearbyMethodResults> MethodRecommendation::sufficiently_accurate_methods() const {
-  std::vector<NearbyMethodResults> found;
-  std::ranges::copy_if(methods, std::back_inserter(found), &NearbyMethodResults::promised);
+std::vector<MethodResultsAtNearbyPoints> MethodRecommendation::sufficiently_accurate_methods()
+    const {
+  std::vector<MethodResultsAtNearbyPoints> found;
+  std::ranges::copy_if(methods, std::back_inserter(found), &MethodResultsAtNearbyPoints::promised);
   return found;
 }
 
-MethodRecommendation recommend_methods(const MapCoordinates& coordinates, double accuracy,
+MethodRecommendation recommend_methods(const ValidityMapCoordinates& coordinates, double accuracy,
                                        const ValidityMap& map) {
   const auto neighbours = neighbours_by_distance(coordinates, map);
   MethodRecommendation advice{.coordinates = coordinates,
@@ -100,7 +101,7 @@ MethodRecommendation recommend_methods(const MapCoordinates& coordinates, double
     auto found = nearby_method_results(map.methods[m], m, neighbours, accuracy);
     if (found.points > 0) advice.methods.push_back(std::move(found));
   }
-  std::ranges::stable_sort(advice.methods, {}, [](const NearbyMethodResults& one) {
+  std::ranges::stable_sort(advice.methods, {}, [](const MethodResultsAtNearbyPoints& one) {
     return std::tuple(!one.promised, one.seconds);
   });
   move_most_accurate_method_first(advice.methods);
@@ -109,7 +110,7 @@ MethodRecommendation recommend_methods(const MapCoordinates& coordinates, double
 
 MethodRecommendation recommend_methods(const problem::Problem& problem, double accuracy,
                                        const ValidityMap& map) {
-  return recommend_methods(map_coordinates(problem), accuracy, map);
+  return recommend_methods(validity_map_coordinates(problem), accuracy, map);
 }
 
 }  // namespace fpkcheck::sweep

@@ -8,7 +8,8 @@
 
 namespace fpkcheck::sweep {
 
-/// Largest distance map_distance() from a problem at which a point of the validity map is nearby.
+/// Largest distance validity_map_distance() from a problem at which a point of the validity map is
+/// nearby.
 inline constexpr double kNearbyDistance = 1;
 /// Smallest number of map points for the assessment of a method. If fewer points are nearby, the
 /// assessment uses the closest points of the map, even beyond kNearbyDistance.
@@ -17,7 +18,7 @@ inline constexpr std::size_t kMinNearbyPoints = 4;
 /// Results of a method at the points of the validity map closest to a problem. Points without a
 /// result of the method are omitted. All remaining points within kNearbyDistance are used, and at
 /// least kMinNearbyPoints points.
-struct NearbyMethodResults {
+struct MethodResultsAtNearbyPoints {
   std::string id;
   std::size_t points = 0, ok = 0;
   /// Number of points with an underestimated error and an L1 distance above the requested accuracy.
@@ -35,7 +36,7 @@ struct NearbyMethodResults {
 /// Recommendation of methods for a problem. The recommendation is no guarantee, since the validity
 /// map has no data between its points.
 struct MethodRecommendation {
-  MapCoordinates coordinates;
+  ValidityMapCoordinates coordinates;
   double accuracy;
   /// Distance of the closest map point with the impulse law and relative mean of the problem;
   /// infinite if no such point exists.
@@ -44,19 +45,19 @@ struct MethodRecommendation {
   /// Methods with `promised` come first, by increasing time. An exception is the first method: the
   /// most accurate promised method that takes at most 1.5 times as long as the fastest promised
   /// method.
-  std::vector<NearbyMethodResults> methods{};
+  std::vector<MethodResultsAtNearbyPoints> methods{};
 
   bool is_outside_map() const { return nearest_distance > kNearbyDistance; }
   /// Returns the results of all methods that are expected to be sufficiently accurate, the
   /// recommended method first.
-  std::vector<NearbyMethodResults> sufficiently_accurate_methods() const;
+  std::vector<MethodResultsAtNearbyPoints> sufficiently_accurate_methods() const;
 };
 
 /// @param accuracy largest acceptable L1 error of p(y) and p(y')
 MethodRecommendation recommend_methods(const problem::Problem& problem, double accuracy,
                                        const ValidityMap& map);
 
-MethodRecommendation recommend_methods(const MapCoordinates& coordinates, double accuracy,
+MethodRecommendation recommend_methods(const ValidityMapCoordinates& coordinates, double accuracy,
                                        const ValidityMap& map);
 
 }  // namespace fpkcheck::sweep

@@ -83,7 +83,7 @@ std::optional<ValidityMapResult> parse_result_cell(std::string_view cell) {
                            .underestimated = entry->underestimated,
                            .seconds = parse_nonnegative_number(cell.substr(at + 1)) / 1000};
   if (at > 0) answer.l1 = parse_nonnegative_number(cell.substr(0, at));
-  if (!answer.l1 && answer.is_ok()) refuse(cell);
+  if (!answer.l1 && answer.has_status_ok()) refuse(cell);
   return answer;
 }
 
@@ -127,8 +127,8 @@ ValidityMap read_validity_map(std::string_view text) {
   return map;
 }
 
-MapCoordinates map_coordinates(const problem::Problem& problem) {
-  const auto& impulses = problem.impulses.parameters();
+ValidityMapCoordinates validity_map_coordinates(const problem::Problem& problem) {
+  const auto& impulses = problem.impulses.impulse_parameters();
   const auto& law = problem.impulses.amplitude_law();
   return {.groups = dimensionless_groups(problem),
           .restitution = problem.system.restitution(),
@@ -138,7 +138,8 @@ MapCoordinates map_coordinates(const problem::Problem& problem) {
           .relative_mean = impulses.mean / std::sqrt(impulses.intensity / impulses.arrival_rate)};
 }
 
-double map_distance(const MapCoordinates& one, const MapCoordinates& other) {
+double validity_map_distance(const ValidityMapCoordinates& one,
+                             const ValidityMapCoordinates& other) {
   constexpr double kRestitutionUnit = 0.1, kCubicUnit = 0.2;
   if (one.law != other.law || one.relative_mean != other.relative_mean) {
     return std::numeric_limits<double>::infinity();

@@ -25,14 +25,14 @@ struct DimensionlessGroups {
 DimensionlessGroups dimensionless_groups(const problem::Problem& problem);
 
 /// Dimensionless parameters that determine the density up to the units of length and time.
-struct MapCoordinates {
+struct ValidityMapCoordinates {
   DimensionlessGroups groups;
   double restitution;
   std::string law;
   double relative_mean;  ///< relative mean E[Y] / sqrt(E[Y^2]) of the impulses
 };
 
-MapCoordinates map_coordinates(const problem::Problem& problem);
+ValidityMapCoordinates validity_map_coordinates(const problem::Problem& problem);
 
 /// Returns the distance between two problems in the validity map,
 ///
@@ -43,7 +43,8 @@ MapCoordinates map_coordinates(const problem::Problem& problem);
 /// e in N or zeta, to 0.1 in r, or to 0.2 in s. The distance is infinite if the laws or the
 /// relative means of the impulse amplitudes differ. The effect of changes of N, zeta, r and s on
 /// the errors is in docs/validity.md.
-double map_distance(const MapCoordinates& one, const MapCoordinates& other);
+double validity_map_distance(const ValidityMapCoordinates& one,
+                             const ValidityMapCoordinates& other);
 
 struct ValidityMapResult {
   transform::Status status;
@@ -55,11 +56,11 @@ struct ValidityMapResult {
   bool underestimated;
   double seconds;
 
-  bool is_ok() const { return status == transform::Status::ok; }
+  bool has_status_ok() const { return status == transform::Status::ok; }
 };
 
 struct ValidityMapPoint {
-  MapCoordinates coordinates;
+  ValidityMapCoordinates coordinates;
   /// Result of each method, in the order of ValidityMap::methods; empty for a method without a
   /// result.
   std::vector<std::optional<ValidityMapResult>> method_results;

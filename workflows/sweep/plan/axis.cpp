@@ -64,8 +64,9 @@ std::size_t parse_value_count(const std::string& text, const AxisParser& reading
 }
 
 SweepAxis parse_axis_range(std::string_view text, SweepAxis axis, const AxisParser& reading) {
-  axis.spacing = text.starts_with(kLogarithmic) ? AxisSpacing::logarithmic : AxisSpacing::linear;
-  if (axis.spacing == AxisSpacing::logarithmic) text.remove_prefix(kLogarithmic.size());
+  axis.spacing =
+      text.starts_with(kLogarithmic) ? SweepAxisSpacing::logarithmic : SweepAxisSpacing::linear;
+  if (axis.spacing == SweepAxisSpacing::logarithmic) text.remove_prefix(kLogarithmic.size());
   const auto parts = split_at(text, ':');
   if (parts.size() < 2 || parts.size() > 3) {
     throw InputError(fmt::format("{} {} (write FROM:TO:N, log:FROM:TO:N or A,B,..)", reading.label,
@@ -77,7 +78,7 @@ SweepAxis parse_axis_range(std::string_view text, SweepAxis axis, const AxisPars
     throw InputError(fmt::format("{} {} (a range needs two ends that differ)", reading.label,
                                  base::sanitise(text)));
   }
-  if (axis.spacing == AxisSpacing::logarithmic && std::min(axis.from, axis.to) <= 0) {
+  if (axis.spacing == SweepAxisSpacing::logarithmic && std::min(axis.from, axis.to) <= 0) {
     throw InputError(fmt::format("{} log:{} (the ends of a logarithmic range must be positive)",
                                  reading.label, base::sanitise(text)));
   }
@@ -96,13 +97,13 @@ SweepAxis parse_axis_range(std::string_view text, SweepAxis axis, const AxisPars
 double SweepAxis::value_at_fraction(double part) const {
   if (part <= 0) return from;
   if (part >= 1) return to;
-  return round_to_twelve_digits(spacing == AxisSpacing::logarithmic
+  return round_to_twelve_digits(spacing == SweepAxisSpacing::logarithmic
                                     ? from * std::pow(to / from, part)
                                     : std::lerp(from, to, part));
 }
 
 std::string SweepAxis::definition_text() const {
-  if (spacing == AxisSpacing::listed) {
+  if (spacing == SweepAxisSpacing::listed) {
     std::vector<std::string> list;
     for (const auto& value : values) {
       const auto* word = std::get_if<std::string>(&value);
@@ -111,7 +112,7 @@ std::string SweepAxis::definition_text() const {
     return fmt::format("{} = {}", key, fmt::join(list, ","));
   }
   return fmt::format("{} = {}{:g}:{:g}{}", key,
-                     spacing == AxisSpacing::logarithmic ? kLogarithmic : "", from, to,
+                     spacing == SweepAxisSpacing::logarithmic ? kLogarithmic : "", from, to,
                      values.empty() ? "" : fmt::format(":{}", values.size()));
 }
 
@@ -131,7 +132,7 @@ SweepAxis parse_sweep_axis(std::string_view key, std::string_view values,
                                    base::value_as_text(*twice)));
     }
   };
-  if (axis.spacing != AxisSpacing::listed) {
+  if (axis.spacing != SweepAxisSpacing::listed) {
     // The values of a range are sorted and need no sorted copy, which would take 40 MB for a
     // million values.
     require_distinct(axis.values);

@@ -33,16 +33,16 @@ void require_axis_values(const SweepAxis& axis) {
                                axis.definition_text(), axis.definition_text()));
 }
 
-PlanPoints cartesian_product_points(const std::vector<SweepAxis>& axes) {
+SweepPlanPoints cartesian_product_points(const std::vector<SweepAxis>& axes) {
   double count = 1;
   for (const auto& axis : axes) {
     require_axis_values(axis);
     count *= static_cast<double>(axis.values.size());
     require_at_most_max_points(count);
   }
-  PlanPoints points{{}};
+  SweepPlanPoints points{{}};
   for (const auto& axis : axes) {
-    PlanPoints longer;
+    SweepPlanPoints longer;
     for (const auto& point : points) {
       for (const auto& value : axis.values) {
         longer.push_back(point);
@@ -54,7 +54,7 @@ PlanPoints cartesian_product_points(const std::vector<SweepAxis>& axes) {
   return points;
 }
 
-PlanPoints listed_points(const std::vector<SweepAxis>& axes) {
+SweepPlanPoints listed_points(const std::vector<SweepAxis>& axes) {
   for (const auto& axis : axes) {
     require_axis_values(axis);
     if (axis.values.size() == axes.front().values.size()) continue;
@@ -62,7 +62,7 @@ PlanPoints listed_points(const std::vector<SweepAxis>& axes) {
         fmt::format("{} has {} values and {} has {} (in a list all keys must have as many)",
                     axes.front().key, axes.front().values.size(), axis.key, axis.values.size()));
   }
-  PlanPoints points(axes.front().values.size());
+  SweepPlanPoints points(axes.front().values.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
     for (const auto& axis : axes) points[k].push_back(axis.values[k]);
   }
@@ -71,13 +71,13 @@ PlanPoints listed_points(const std::vector<SweepAxis>& axes) {
 
 // Returns points of the Sobol sequence (Sobol 1967; direction numbers of Joe and Kuo 2008). The
 // first point of the sequence, a corner of the box of ranges, is omitted.
-PlanPoints sobol_points_in_box(const std::vector<SweepAxis>& axes, std::size_t count) {
+SweepPlanPoints sobol_points_in_box(const std::vector<SweepAxis>& axes, std::size_t count) {
   if (count == 0) {
     throw InputError("the design sobol has no number of points (give --points N)");
   }
   require_at_most_max_points(static_cast<double>(count));
   for (const auto& axis : axes) {
-    if (axis.spacing == AxisSpacing::listed) {
+    if (axis.spacing == SweepAxisSpacing::listed) {
       throw InputError(fmt::format("{} with the design sobol (it fills ranges: give FROM:TO)",
                                    axis.definition_text()));
     }
@@ -89,7 +89,7 @@ PlanPoints sobol_points_in_box(const std::vector<SweepAxis>& axes, std::size_t c
   }
   boost::random::sobol engine(axes.size());
   const double above = static_cast<double>(boost::random::sobol::max()) + 1;
-  PlanPoints points(count);
+  SweepPlanPoints points(count);
   for (auto& point : points) {
     for (const auto& axis : axes) {
       point.emplace_back(axis.value_at_fraction(static_cast<double>(engine()) / above));
@@ -113,8 +113,8 @@ SweepLines extract_sweep_lines(const std::vector<IniSetting>& all) {
   for (const auto& line : all) {
     if (line.section != kSweep) continue;
     if (!lines.emplace(line.key, line).second) {
-      throw InputError(
-          fmt::format("{}: key '{}' is given twice (keep one)", line.where, line.path()));
+      throw InputError(fmt::format("{}: key '{}' is given twice (keep one)", line.where,
+                                   line.section_and_key()));
     }
   }
   return lines;
@@ -122,8 +122,8 @@ SweepLines extract_sweep_lines(const std::vector<IniSetting>& all) {
 
 }  // namespace
 
-PlanPoints make_plan_points(const std::vector<SweepAxis>& axes, PlanDesign design,
-                            std::size_t sobol_points) {
+SweepPlanPoints make_plan_points(const std::vector<SweepAxis>& axes, SweepPlanDesign design,
+                                 std::size_t sobol_points) {
   if (axes.empty()) {
     throw InputError("nothing is varied (give --vary KEY=FROM:TO:N, log:FROM:TO:N or A,B,..)");
   }
@@ -132,15 +132,15 @@ PlanPoints make_plan_points(const std::vector<SweepAxis>& axes, PlanDesign desig
       throw InputError(fmt::format("{} is varied twice (keep one)", axis.key));
     }
   }
-  if (design != PlanDesign::sobol && sobol_points != 0) {
+  if (design != SweepPlanDesign::sobol && sobol_points != 0) {
     throw InputError("a number of points without the design sobol (the values of the axes set it)");
   }
   switch (design) {
-    case PlanDesign::product:
+    case SweepPlanDesign::product:
       return cartesian_product_points(axes);
-    case PlanDesign::list:
+    case SweepPlanDesign::list:
       return listed_points(axes);
-    case PlanDesign::sobol:
+    case SweepPlanDesign::sobol:
       return sobol_points_in_box(axes, sobol_points);
   }
   return {};
@@ -178,7 +178,8 @@ problem::Problem SweepPlan::problem_at(std::size_t point) const {
   return problem::problem_from_sections(base.name, sections);
 }
 
-ParsedPlan read_plan(const std::string& name_or_path, const std::vector<std::string>& overrides) {
+ParsedSweepPlan read_sweep_plan(const std::string& name_or_path,
+                                const std::vector<std::string>& overrides) {
   constexpr std::size_t kMaxBytes = 1 << 20;
   const bool named = problem::find_built_in_case(name_or_path) != nullptr;
   const auto text = named ? std::nullopt : base::read_input_file(name_or_path, kMaxBytes);
@@ -199,12 +200,12 @@ ParsedPlan read_plan(const std::string& name_or_path, const std::vector<std::str
     throw InputError(fmt::format("{}: a case beside [{}] (keep one)", base_case->second.where,
                                  of_case.front().section));
   }
-  ParsedPlan plan{base_case != lines.end()
-                      ? problem::load_case(base_case->second.text, overrides)
-                      : problem::problem_from_settings(
-                            of_case, std::filesystem::path(name_or_path).stem().string(), where,
-                            overrides, problem::CaseNaming::from_file,
-                            std::filesystem::path(name_or_path).parent_path())};
+  ParsedSweepPlan plan{base_case != lines.end()
+                           ? problem::load_case(base_case->second.text, overrides)
+                           : problem::problem_from_settings(
+                                 of_case, std::filesystem::path(name_or_path).stem().string(),
+                                 where, overrides, problem::CaseNamingRule::from_file,
+                                 std::filesystem::path(name_or_path).parent_path())};
   for (const auto& line : all) {
     if (line.section == kVary)
       plan.axes.push_back(parse_sweep_axis(line.key, line.text, line.where));
@@ -212,7 +213,7 @@ ParsedPlan read_plan(const std::string& name_or_path, const std::vector<std::str
   for (const auto& [key, line] : lines) {
     if (key == "case") continue;
     if (key == "design") {
-      plan.design = base::parse_enum<PlanDesign>(line.where + ": design", line.text);
+      plan.design = base::parse_enum<SweepPlanDesign>(line.where + ": design", line.text);
     } else if (key == "closure_errors") {
       plan.closure_errors =
           base::parse_enum<ClosureErrorSource>(line.where + ": closure_errors", line.text);

@@ -14,17 +14,18 @@
 
 namespace fpkcheck::sweep {
 
-enum class AxisSpacing { linear, logarithmic, listed };
-inline constexpr base::EnumEntry<AxisSpacing> kSpacingNames[] = {{AxisSpacing::linear, "linear"},
-                                                                 {AxisSpacing::logarithmic, "log"},
-                                                                 {AxisSpacing::listed, "list"}};
-constexpr const auto& enumerator_names(AxisSpacing) { return kSpacingNames; }
-constexpr std::string_view name(AxisSpacing spacing) { return base::name_of(spacing); }
+enum class SweepAxisSpacing { linear, logarithmic, listed };
+inline constexpr base::EnumEntry<SweepAxisSpacing> kSpacingNames[] = {
+    {SweepAxisSpacing::linear, "linear"},
+    {SweepAxisSpacing::logarithmic, "log"},
+    {SweepAxisSpacing::listed, "list"}};
+constexpr const auto& enumerator_names(SweepAxisSpacing) { return kSpacingNames; }
+constexpr std::string_view name(SweepAxisSpacing spacing) { return base::name_of(spacing); }
 
 /// A key of case files that the sweep varies, and the values of this key.
 struct SweepAxis {
   std::string key;  ///< varied key, e.g. "system.restitution"
-  AxisSpacing spacing = AxisSpacing::listed;
+  SweepAxisSpacing spacing = SweepAxisSpacing::listed;
   double from = 0, to = 0;  ///< ends of the range of a numerical key
   /// Values of the key: numbers, or words such as "gaussian". The list is empty for a range of a
   /// Sobol sequence.
@@ -45,28 +46,28 @@ struct SweepAxis {
 SweepAxis parse_sweep_axis(std::string_view key, std::string_view values,
                            const std::string& error_context);
 
-enum class PlanDesign {
+enum class SweepPlanDesign {
   product,  ///< Cartesian product of the axes; the last axis varies fastest
   list,     ///< point k has the k-th value of every axis
   sobol     ///< a Sobol sequence in the box of the ranges
 };
-inline constexpr base::EnumEntry<PlanDesign> kPlanDesignNames[] = {
-    {PlanDesign::product, "product", "every value with every other"},
-    {PlanDesign::list, "list", "the k-th values of all keys together"},
-    {PlanDesign::sobol, "sobol", "points of a Sobol sequence"}};
-constexpr const auto& enumerator_names(PlanDesign) { return kPlanDesignNames; }
-constexpr std::string_view name(PlanDesign design) { return base::name_of(design); }
+inline constexpr base::EnumEntry<SweepPlanDesign> kPlanDesignNames[] = {
+    {SweepPlanDesign::product, "product", "every value with every other"},
+    {SweepPlanDesign::list, "list", "the k-th values of all keys together"},
+    {SweepPlanDesign::sobol, "sobol", "points of a Sobol sequence"}};
+constexpr const auto& enumerator_names(SweepPlanDesign) { return kPlanDesignNames; }
+constexpr std::string_view name(SweepPlanDesign design) { return base::name_of(design); }
 
 inline constexpr std::size_t kMaxPoints = 1'000'000;
 
 /// Points of a plan. Each point has one value for each axis, in the order of the axes.
-using PlanPoints = std::vector<std::vector<base::Value>>;
+using SweepPlanPoints = std::vector<std::vector<base::Value>>;
 
 /// @param sobol_points number of points for the design sobol; 0 for other designs
 /// @throws InputError if axes and design are inconsistent, or if the plan has more than kMaxPoints
 ///         points
-PlanPoints make_plan_points(const std::vector<SweepAxis>& axes, PlanDesign design,
-                            std::size_t sobol_points);
+SweepPlanPoints make_plan_points(const std::vector<SweepAxis>& axes, SweepPlanDesign design,
+                                 std::size_t sobol_points);
 
 /// Requires that each varied constant `parameters.NAME` is a constant of the base case, so that a
 /// misspelt name does not solve the same problem at each point.
@@ -87,22 +88,22 @@ constexpr std::string_view name(ClosureErrorSource errors) { return base::name_o
 struct SweepPlan {
   problem::Problem base;
   std::vector<SweepAxis> axes;
-  PlanDesign design = PlanDesign::product;
+  SweepPlanDesign design = SweepPlanDesign::product;
   std::size_t sobol_points = 0;  ///< number of points for the design sobol; 0 for other designs
   std::vector<methods::Method> methods{};  ///< methods of the plan by increasing trust
   bool marginals = false;                  ///< whether the marginal densities are stored
   ClosureErrorSource closure_errors = ClosureErrorSource::reference;
-  PlanPoints points{};  ///< points of the plan, computed by make_plan_points()
+  SweepPlanPoints points{};  ///< points of the plan, computed by make_plan_points()
 
   /// @throws InputError if the values of the point are inconsistent
   problem::Problem problem_at(std::size_t point) const;
 };
 
 /// Parsed plan in which the methods are given by names, as input for a registry of solvers.
-struct ParsedPlan {
+struct ParsedSweepPlan {
   problem::Problem base;
   std::vector<SweepAxis> axes{};
-  std::optional<PlanDesign> design{};
+  std::optional<SweepPlanDesign> design{};
   std::optional<ClosureErrorSource> closure_errors{};
   std::optional<std::size_t> points{};
   std::optional<std::string> methods{};
@@ -126,6 +127,7 @@ struct ParsedPlan {
 /// @param name_or_path "case1" .. "case4", a case file or a plan
 /// @param overrides "key=value" pairs that replace values of the case
 /// @throws InputError with a message of one line
-ParsedPlan read_plan(const std::string& name_or_path, const std::vector<std::string>& overrides);
+ParsedSweepPlan read_sweep_plan(const std::string& name_or_path,
+                                const std::vector<std::string>& overrides);
 
 }  // namespace fpkcheck::sweep

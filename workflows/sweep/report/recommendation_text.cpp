@@ -14,13 +14,13 @@
 namespace fpkcheck::sweep {
 namespace {
 
-using report::TextColumn;
+using report::TextTableColumn;
 
 constexpr std::size_t kShownMethods = 3;
 constexpr double kLargeError = 0.05;
 
 std::string coordinates_sentence(const MethodRecommendation& advice, const std::string& name) {
-  const MapCoordinates& coordinates = advice.coordinates;
+  const ValidityMapCoordinates& coordinates = advice.coordinates;
   std::string text = fmt::format(
       "{}: {:.2g} impulses per decay time, damping ratio {:.2g}, {:.0f} % of the stiffness cubic, "
       "r = {:.4g}, {} impulses",
@@ -46,14 +46,14 @@ std::string nearest_point_sentence(const MethodRecommendation& advice) {
                      advice.nearest_distance, advice.nearby_points);
 }
 
-std::string nearby_results_table(const std::vector<NearbyMethodResults>& methods,
-                                 const report::TextFormat& format) {
+std::string nearby_results_table(const std::vector<MethodResultsAtNearbyPoints>& methods,
+                                 const report::TerminalTextFormat& format) {
   constexpr const char* kNearby = "at the points nearby";
-  std::vector<TextColumn> columns{{"", "method", true, report::kAlwaysShown},
-                                  {kNearby, "points", false, 1},
-                                  {kNearby, "ok", false, 2},
-                                  {kNearby, "worst L1", false, report::kAlwaysShown},
-                                  {kNearby, "seconds", false, 3}};
+  std::vector<TextTableColumn> columns{{"", "method", true, report::kAlwaysShown},
+                                       {kNearby, "points", false, 1},
+                                       {kNearby, "ok", false, 2},
+                                       {kNearby, "worst L1", false, report::kAlwaysShown},
+                                       {kNearby, "seconds", false, 3}};
   for (const auto& one : methods) {
     report::add_table_row(
         columns, {one.id, std::to_string(one.points), std::to_string(one.ok),
@@ -102,7 +102,7 @@ std::string missing_density_sentence(const MethodRecommendation& advice) {
   return fmt::format("No probability density at any of these points: {}.", fmt::join(items, ", "));
 }
 
-results::Json nearby_results_json(const NearbyMethodResults& one,
+results::Json nearby_results_json(const MethodResultsAtNearbyPoints& one,
                                   const RecommendationContext& context) {
   results::Json json{{"id", one.id},           {"promised", one.promised},
                      {"points", one.points},   {"ok", one.ok},
@@ -116,7 +116,7 @@ results::Json nearby_results_json(const NearbyMethodResults& one,
 
 std::string recommendation_text(const MethodRecommendation& advice,
                                 const RecommendationContext& context,
-                                const report::TextFormat& format) {
+                                const report::TerminalTextFormat& format) {
   const auto paragraph = [&](const std::string& text) {
     return text.empty() ? text : report::wrap_text(text, format.width);
   };
@@ -157,7 +157,7 @@ std::string recommendation_json(const MethodRecommendation& advice,
                                 const std::string& command_line) {
   using results::Json;
   constexpr int kSchema = 1;
-  const MapCoordinates& coordinates = advice.coordinates;
+  const ValidityMapCoordinates& coordinates = advice.coordinates;
   Json json{{"schema", kSchema},
             {"program", results::program_to_json(results::current_program(command_line))},
             {"case", context.name},

@@ -22,7 +22,7 @@ struct RecommendationContext {
 /// and warnings.
 std::string recommendation_text(const MethodRecommendation& advice,
                                 const RecommendationContext& context,
-                                const report::TextFormat& format);
+                                const report::TerminalTextFormat& format);
 
 /// Returns the recommendation as JSON, the output of --json.
 std::string recommendation_json(const MethodRecommendation& advice,

@@ -11,7 +11,7 @@
 namespace fpkcheck::sweep {
 namespace {
 
-using report::TextColumn;
+using report::TextTableColumn;
 
 struct MethodSummary {
   std::map<transform::Status, int> statuses{};
@@ -23,7 +23,7 @@ struct MethodSummary {
 MethodSummary summarise_method(const SweepResults& results, std::size_t m) {
   MethodSummary found;
   for (const auto& point : results.points) {
-    const MethodResult& one = point.methods[m];
+    const SweepMethodResult& one = point.methods[m];
     ++found.statuses[one.status];
     found.seconds += one.seconds;
     const bool is_reference = point.reference == results.plan.methods[m].id();
@@ -52,16 +52,16 @@ std::string status_counts_cell(const std::map<transform::Status, int>& statuses)
 
 }  // namespace
 
-std::vector<TextColumn> method_table_columns(const SweepResults& results) {
+std::vector<TextTableColumn> method_table_columns(const SweepResults& results) {
   const SweepPlan& plan = results.plan;
-  std::vector<TextColumn> columns{{"", "solution", true, report::kAlwaysShown},
-                                  {"", "ok", false, report::kAlwaysShown},
-                                  {"", "reference", false, 2},
-                                  {"L1 of ok", "median", false, 4},
-                                  {"L1 of ok", "90 %", false, 3},
-                                  {"L1 of ok", "worst", false, 4},
-                                  {"", "sec", false, 2},
-                                  {"", "not ok", true, 1}};
+  std::vector<TextTableColumn> columns{{"", "solution", true, report::kAlwaysShown},
+                                       {"", "ok", false, report::kAlwaysShown},
+                                       {"", "reference", false, 2},
+                                       {"L1 of ok", "median", false, 4},
+                                       {"L1 of ok", "90 %", false, 3},
+                                       {"L1 of ok", "worst", false, 4},
+                                       {"", "sec", false, 2},
+                                       {"", "not ok", true, 1}};
   const auto points = static_cast<double>(std::max<std::size_t>(results.points.size(), 1));
   for (std::size_t m = 0; m < plan.methods.size(); ++m) {
     auto found = summarise_method(results, m);
@@ -82,7 +82,8 @@ const char* method_table_legend() {
          "wall-clock time per point.";
 }
 
-std::string sweep_table_text(const SweepResults& results, const report::TextFormat& format) {
+std::string sweep_table_text(const SweepResults& results,
+                             const report::TerminalTextFormat& format) {
   const SweepPlan& plan = results.plan;
   std::string text = fmt::format("{} points of {}", results.points.size(), plan.base.name);
   for (const auto& axis : plan.axes) text += ", " + axis.definition_text();
@@ -102,7 +103,7 @@ std::string duration_text(double seconds) {
 
 std::string solve_time_forecast_text(const SweepPlan& plan, const SolveTimeForecast& forecast,
                                      std::size_t threads, const std::vector<int>& ranks,
-                                     const report::TextFormat& format) {
+                                     const report::TerminalTextFormat& format) {
   const double all = std::accumulate(forecast.seconds.begin(), forecast.seconds.end(), 0.0);
   constexpr double kTwoStandardErrors = 200;
   const bool measured = forecast.sample.size() >= plan.points.size();
@@ -123,7 +124,7 @@ std::string solve_time_forecast_text(const SweepPlan& plan, const SolveTimeForec
       format.width);
   if (ranks.empty()) return text;
   constexpr int kAlways = report::kAlwaysShown;
-  std::vector<TextColumn> columns{
+  std::vector<TextTableColumn> columns{
       {"", "ranks", false, kAlways},  {"", "longest first", false, kAlways},
       {"", "busy", false, kAlways},   {"", "in order", false, kAlways},
       {"", "shards", false, kAlways}, {"", "GB", false, kAlways}};

@@ -13,12 +13,12 @@ namespace fpkcheck::sweep {
 
 /// Returns table columns with one row for each method: the number of solutions with each status,
 /// the L1 distances of `ok` solutions from the references, and the wall-clock time.
-std::vector<report::TextColumn> method_table_columns(const SweepResults& results);
+std::vector<report::TextTableColumn> method_table_columns(const SweepResults& results);
 
 const char* method_table_legend();
 
 /// Returns the terminal text of a sweep: the varied keys and a table with one row for each method.
-std::string sweep_table_text(const SweepResults& results, const report::TextFormat& format);
+std::string sweep_table_text(const SweepResults& results, const report::TerminalTextFormat& format);
 
 /// Returns the text of a duration, e.g. "40 s", "12 min", "3.5 h".
 std::string duration_text(double seconds);
@@ -28,6 +28,6 @@ std::string duration_text(double seconds);
 /// @param ranks numbers of single-threaded processes, one for each row of the table
 std::string solve_time_forecast_text(const SweepPlan& plan, const SolveTimeForecast& forecast,
                                      std::size_t threads, const std::vector<int>& ranks,
-                                     const report::TextFormat& format);
+                                     const report::TerminalTextFormat& format);
 
 }  // namespace fpkcheck::sweep

@@ -85,9 +85,9 @@ std::vector<std::string> split_into_lines(const std::string& text) {
   return lines;
 }
 
-JournalContent parse_journal(const std::vector<std::string>& lines,
-                             const std::filesystem::path& file) {
-  JournalContent content{.plan = parse_header_plan(lines.front(), file).dump()};
+SweepJournalContent parse_journal(const std::vector<std::string>& lines,
+                                  const std::filesystem::path& file) {
+  SweepJournalContent content{.plan = parse_header_plan(lines.front(), file).dump()};
   std::set<std::size_t> seen;
   for (std::size_t k = 1; k < lines.size(); ++k) {
     const auto text = verify_and_strip_checksum(lines[k]);
@@ -97,7 +97,7 @@ JournalContent parse_journal(const std::vector<std::string>& lines,
     }
     const std::string where = fmt::format("{}:{}", sanitise(file.string()), k + 1);
     try {
-      PointResult result = point_result_from_json(parse_journal_json(*text, where));
+      SweepPointResult result = point_result_from_json(parse_journal_json(*text, where));
       if (seen.insert(result.point).second) content.points.push_back(std::move(result));
     } catch (const nlohmann::json::exception& error) {
       throw InputError(fmt::format("{}: not a point of a sweep ({}; remove the line)", where,
@@ -109,7 +109,7 @@ JournalContent parse_journal(const std::vector<std::string>& lines,
 
 }  // namespace
 
-JournalContent read_journal(const std::filesystem::path& file) {
+SweepJournalContent read_sweep_journal(const std::filesystem::path& file) {
   const auto text = base::read_input_file(file, kMaxBytes);
   if (!text) {
     throw InputError(fmt::format("{} is not a readable file (a sweep writes it into its directory)",
@@ -121,15 +121,15 @@ JournalContent read_journal(const std::filesystem::path& file) {
   return parse_journal(split_into_lines(*text), file);
 }
 
-JournalContent read_journal(const std::filesystem::path& file, const SweepPlan& plan) {
-  auto content = read_journal(file);
-  require_same_plan(parse_journal_json(content.plan, sanitise(file.string())), plan_json(plan),
-                    file);
+SweepJournalContent read_sweep_journal(const std::filesystem::path& file, const SweepPlan& plan) {
+  auto content = read_sweep_journal(file);
+  require_same_plan(parse_journal_json(content.plan, sanitise(file.string())),
+                    sweep_plan_json(plan), file);
   return content;
 }
 
-Journal::Journal(const std::filesystem::path& file, const SweepPlan& plan) : log_(file) {
-  const Json asked = plan_json(plan);
+SweepJournal::SweepJournal(const std::filesystem::path& file, const SweepPlan& plan) : log_(file) {
+  const Json asked = sweep_plan_json(plan);
   const auto lines = log_.read_lines();
   if (lines.empty()) {
     log_.append(prepend_checksum(journal_header_json(asked).dump()));
@@ -140,10 +140,10 @@ Journal::Journal(const std::filesystem::path& file, const SweepPlan& plan) : log
   if (log_.has_removed_partial_line()) ++initial_content_.damaged;
 }
 
-void Journal::append(const PointResult& result) {
+void SweepJournal::append(const SweepPointResult& result) {
   constexpr std::chrono::seconds kFlushInterval(1);
-  const base::ExitBlocker in_hand;
-  log_.append(prepend_checksum(journal_line(result)));
+  const base::ProcessExitBlocker in_hand;
+  log_.append(prepend_checksum(sweep_journal_line(result)));
   const auto now = std::chrono::steady_clock::now();
   if (now - flushed_ < kFlushInterval) return;
   log_.flush_to_disk();

@@ -11,43 +11,43 @@
 
 namespace fpkcheck::sweep {
 
-struct JournalContent {
-  std::string plan;  ///< JSON text of the plan by plan_json(); empty for a new journal
+struct SweepJournalContent {
+  std::string plan;  ///< JSON text of the plan by sweep_plan_json(); empty for a new journal
   /// Results of the points in the order of their solution, without duplicates.
-  std::vector<PointResult> points{};
+  std::vector<SweepPointResult> points{};
   std::size_t damaged = 0;  ///< number of damaged journal lines, which are ignored
 };
 
-/// Reads the journal of a sweep. No process may write to the journal while read_journal() reads the
-/// journal.
+/// Reads the journal of a sweep. No process may write to the journal while read_sweep_journal()
+/// reads the journal.
 /// @throws InputError with a message of one line if the file is no journal
-JournalContent read_journal(const std::filesystem::path& file);
+SweepJournalContent read_sweep_journal(const std::filesystem::path& file);
 /// @throws InputError with a message of one line if the file is no journal, or belongs to another
 ///         plan
-JournalContent read_journal(const std::filesystem::path& file, const SweepPlan& plan);
+SweepJournalContent read_sweep_journal(const std::filesystem::path& file, const SweepPlan& plan);
 
 /// Journal file from which an interrupted sweep is resumed. The first line contains the plan, and
 /// each solved point adds a line with a CRC-32 checksum. If the process is killed, at most the last
 /// line of the journal is incomplete. An incomplete line is ignored, and its point is solved again.
-class Journal {
+class SweepJournal {
  public:
   /// Opens or creates the journal.
   /// @throws InputError if the file belongs to another plan, is no journal, or is open in another
   ///         process
   /// @throws std::runtime_error if the file cannot be written
-  Journal(const std::filesystem::path& file, const SweepPlan& plan);
+  SweepJournal(const std::filesystem::path& file, const SweepPlan& plan);
 
   /// Returns the content of the journal at the time of opening.
-  const JournalContent& initial_content() const { return initial_content_; }
+  const SweepJournalContent& initial_content() const { return initial_content_; }
 
   /// Appends the result of a point as one complete line, or leaves the file unchanged. The file is
   /// flushed if the last flush was more than 1 s ago. The function is not thread-safe.
   /// @throws std::runtime_error with a message of one line
-  void append(const PointResult& result);
+  void append(const SweepPointResult& result);
 
  private:
   base::AppendOnlyLog log_;
-  JournalContent initial_content_;
+  SweepJournalContent initial_content_;
   std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
 };
 

@@ -16,7 +16,7 @@ using transform::Moments;
 
 Json axis_json(const SweepAxis& axis) {
   Json json{{"key", axis.key}, {"spacing", name(axis.spacing)}};
-  if (axis.spacing != AxisSpacing::listed) {
+  if (axis.spacing != SweepAxisSpacing::listed) {
     json["from"] = axis.from;
     json["to"] = axis.to;
   }
@@ -40,8 +40,9 @@ base::Value integer_to_double(base::Value value) {
 }
 
 SweepAxis axis_from_json(const Json& json) {
-  SweepAxis axis{.key = json.at("key"), .spacing = enum_from_json<AxisSpacing>(json.at("spacing"))};
-  if (axis.spacing != AxisSpacing::listed) {
+  SweepAxis axis{.key = json.at("key"),
+                 .spacing = enum_from_json<SweepAxisSpacing>(json.at("spacing"))};
+  if (axis.spacing != SweepAxisSpacing::listed) {
     axis.from = json.at("from");
     axis.to = json.at("to");
   }
@@ -70,7 +71,7 @@ MarginalL1Values marginal_pair_from_json(const Json& json) {
   return {number(0), number(1)};
 }
 
-Json method_result_json(const MethodResult& result) {
+Json method_result_json(const SweepMethodResult& result) {
   Json json{{"status", name(result.status)}, {"seconds", result.seconds}};
   if (!result.reason.empty()) json["reason"] = result.reason;
   if (result.moments) {
@@ -85,11 +86,11 @@ Json method_result_json(const MethodResult& result) {
   return json;
 }
 
-MethodResult method_result_from_json(const Json& json) {
+SweepMethodResult method_result_from_json(const Json& json) {
   const auto text = json.at("status").get<std::string>();
   const auto status = base::enum_from_name<transform::Status>(text);
   if (!status) throw InputError(fmt::format("status {} is unknown", base::in_quotes(text)));
-  MethodResult result{.status = *status, .seconds = json.at("seconds")};
+  SweepMethodResult result{.status = *status, .seconds = json.at("seconds")};
   if (json.contains("reason")) result.reason = json.at("reason");
   if (json.contains("moments")) {
     result.moments.emplace();
@@ -112,7 +113,7 @@ MethodResult method_result_from_json(const Json& json) {
 
 }  // namespace
 
-Json plan_json(const SweepPlan& plan) {
+Json sweep_plan_json(const SweepPlan& plan) {
   Json json{{"case", results::problem_to_json(plan.base)},
             {"vary", Json::array()},
             {"design", name(plan.design)},
@@ -132,7 +133,7 @@ Json plan_json(const SweepPlan& plan) {
 SweepPlan plan_from_json(const Json& json, const methods::SolverRegistry& registry) {
   SweepPlan plan{.base = results::problem_from_json(json.at("case")),
                  .axes = {},
-                 .design = enum_from_json<PlanDesign>(json.at("design")),
+                 .design = enum_from_json<SweepPlanDesign>(json.at("design")),
                  .sobol_points = json.at("points"),
                  .marginals = json.at("marginals"),
                  .closure_errors = enum_from_json<ClosureErrorSource>(json.at("closure_errors"))};
@@ -156,7 +157,7 @@ std::string first_plan_difference(const Json& before, const Json& now) {
       first.contains("value") ? base::sanitise(first.at("value").dump()) : "nothing");
 }
 
-Json point_result_json(const PointResult& result) {
+Json point_result_json(const SweepPointResult& result) {
   Json json{{"point", result.point},
             {"seconds", result.seconds},
             {"reference", result.reference},
@@ -165,15 +166,15 @@ Json point_result_json(const PointResult& result) {
   return json;
 }
 
-std::string journal_line(const PointResult& result) {
+std::string sweep_journal_line(const SweepPointResult& result) {
   return results::replace_non_finite_by_null(point_result_json(result))
       .dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-PointResult point_result_from_json(const Json& json) {
-  PointResult result{.point = json.at("point").get<std::size_t>(),
-                     .seconds = json.value("seconds", 0.0),
-                     .reference = json.at("reference")};
+SweepPointResult point_result_from_json(const Json& json) {
+  SweepPointResult result{.point = json.at("point").get<std::size_t>(),
+                          .seconds = json.value("seconds", 0.0),
+                          .reference = json.at("reference")};
   for (const auto& method : json.at("methods")) {
     result.methods.push_back(method_result_from_json(method));
     if (!json.contains("seconds")) result.seconds += result.methods.back().seconds;
@@ -186,7 +187,7 @@ std::string sweep_json_text(const SweepResults& results, const std::string& comm
   constexpr int kSchema = 1;
   Json json{{"schema", kSchema},
             {"program", results::program_to_json(results::current_program(command))},
-            {"plan", plan_json(results.plan)},
+            {"plan", sweep_plan_json(results.plan)},
             {"points", Json::array()}};
   for (const auto& point : results.points) {
     Json one = point_result_json(point);

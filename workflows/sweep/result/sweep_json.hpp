@@ -9,9 +9,9 @@ namespace fpkcheck::sweep {
 
 /// Returns the JSON of a plan. The results of two sweeps may be joined only if the JSON texts of
 /// their plans are equal.
-results::Json plan_json(const SweepPlan& plan);
+results::Json sweep_plan_json(const SweepPlan& plan);
 
-/// Reads a plan from the JSON of plan_json().
+/// Reads a plan from the JSON of sweep_plan_json().
 /// @throws nlohmann::json::exception, InputError
 SweepPlan plan_from_json(const results::Json& json, const methods::SolverRegistry& registry);
 
@@ -20,14 +20,14 @@ SweepPlan plan_from_json(const results::Json& json, const methods::SolverRegistr
 std::string first_plan_difference(const results::Json& before, const results::Json& now);
 
 /// Returns the result of a point as JSON with short keys, since a journal has many lines.
-results::Json point_result_json(const PointResult& result);
+results::Json point_result_json(const SweepPointResult& result);
 
 /// Returns the journal line of a result, with control characters escaped and invalid UTF-8
 /// replaced.
-std::string journal_line(const PointResult& result);
+std::string sweep_journal_line(const SweepPointResult& result);
 
 /// Reads the result of a point from the JSON of point_result_json().
 /// @throws nlohmann::json::exception, InputError
-PointResult point_result_from_json(const results::Json& json);
+SweepPointResult point_result_from_json(const results::Json& json);
 
 }  // namespace fpkcheck::sweep

@@ -25,14 +25,14 @@ struct ResultColumn {
   std::string variable;  ///< name of the variable of sweep.nc
   std::string meaning;   ///< description of the variable of sweep.nc
   /// Function that returns the number of a result; empty if the result has no such number.
-  std::function<std::optional<double>(const MethodResult&)> number;
+  std::function<std::optional<double>(const SweepMethodResult&)> number;
 };
 
 std::vector<ResultColumn> moment_columns() {
   std::vector<ResultColumn> columns;
   for (const auto& moment : transform::kMoments) {
     columns.push_back({moment.name, moment.name, moment.symbol,
-                       [member = moment.moment](const MethodResult& one) {
+                       [member = moment.moment](const SweepMethodResult& one) {
                          return one.moments ? std::optional((*one.moments).*member) : std::nullopt;
                        }});
   }
@@ -42,11 +42,11 @@ std::vector<ResultColumn> moment_columns() {
 // @param header, variable names in which "{}" stands for y or ydot
 std::vector<ResultColumn> marginal_columns(
     const std::string& header, const std::string& variable, const std::string& meaning,
-    const std::function<std::optional<MarginalL1Values>(const MethodResult&)>& pair) {
+    const std::function<std::optional<MarginalL1Values>(const SweepMethodResult&)>& pair) {
   const auto column = [&](const char* name, const char* symbol, double MarginalL1Values::*member) {
     return ResultColumn{
         fmt::format(fmt::runtime(header), name), fmt::format(fmt::runtime(variable), name),
-        fmt::format("{} of {}", meaning, symbol), [pair, member](const MethodResult& one) {
+        fmt::format("{} of {}", meaning, symbol), [pair, member](const SweepMethodResult& one) {
           const auto found = pair(one);
           return found ? std::optional((*found).*member) : std::nullopt;
         }};
@@ -57,12 +57,12 @@ std::vector<ResultColumn> marginal_columns(
 
 std::vector<ResultColumn> distance_columns() {
   return marginal_columns("l1_{}", "l1_{}", "L1 distance to the reference",
-                          [](const MethodResult& one) { return one.l1; });
+                          [](const SweepMethodResult& one) { return one.l1; });
 }
 
 std::vector<ResultColumn> error_columns(const SweepResults& results) {
   auto columns = marginal_columns("error_{}", "error_{}", "L1 error estimate",
-                                  [](const MethodResult& one) { return one.error; });
+                                  [](const SweepMethodResult& one) { return one.error; });
   for (const auto& part : results.error_budget_part_names()) {
     // The part name "closure + impact" becomes "closure_and_impact" in sweep.csv and
     // "closure___impact" in sweep.nc.
@@ -76,7 +76,7 @@ std::vector<ResultColumn> error_columns(const SweepResults& results) {
     std::ranges::move(
         marginal_columns("budget_{}_" + header, "budget_" + variable + "_{}",
                          fmt::format("contribution of \"{}\" to the L1 distance", part),
-                         [part](const MethodResult& one) -> std::optional<MarginalL1Values> {
+                         [part](const SweepMethodResult& one) -> std::optional<MarginalL1Values> {
                            const auto share =
                                std::ranges::find(one.budget, part, &BudgetContribution::part);
                            if (share == one.budget.end()) return std::nullopt;
@@ -111,7 +111,7 @@ class SweepNetcdfFile {
   SweepNetcdfFile(results::NetCdfWriter& file, const SweepResults& results)
       : file_(file), results_(results) {
     const SweepPlan& plan = results.plan;
-    if (plan.design == PlanDesign::product) {
+    if (plan.design == SweepPlanDesign::product) {
       for (const auto& axis : plan.axes) {
         dimensions_.push_back(file_.define_dimension(axis.key, axis.values.size()));
         coordinate(axis.key, dimensions_.back(), axis.values);
@@ -182,8 +182,8 @@ class SweepNetcdfFile {
 
 }  // namespace
 
-SweepResults make_sweep_results(SweepPlan plan, std::vector<PointResult> points) {
-  std::ranges::sort(points, {}, &PointResult::point);
+SweepResults make_sweep_results(SweepPlan plan, std::vector<SweepPointResult> points) {
+  std::ranges::sort(points, {}, &SweepPointResult::point);
   return {std::move(plan), std::move(points)};
 }
 
@@ -220,7 +220,7 @@ std::string sweep_csv_text(const SweepResults& results) {
     for (const auto& value : plan.points[point.point]) keys += csv_value_cell(value) + ',';
     const std::string groups = dimensionless_groups_cells(plan, point.point);
     for (std::size_t m = 0; m < point.methods.size(); ++m) {
-      const MethodResult& method = point.methods[m];
+      const SweepMethodResult& method = point.methods[m];
       std::vector<std::string> cells{plan.methods[m].id(), std::string(name(method.status)),
                                      results::quote_csv_field(method.reason)};
       // Numbers have ten digits, which exceed the accuracy of every solver and keep the file small.
@@ -251,9 +251,10 @@ std::string sweep_netcdf_bytes(const SweepResults& results, const std::string& c
   results::write_problem_attributes(file, results.plan.base);
 
   SweepNetcdfFile sweep(file, results);
-  const ResultColumn statuses{{}, "status", "status of the solution", [](const MethodResult& one) {
-                                return static_cast<double>(one.status);
-                              }};
+  const ResultColumn statuses{
+      {}, "status", "status of the solution", [](const SweepMethodResult& one) {
+        return static_cast<double>(one.status);
+      }};
   const int status = sweep.write_variable(statuses, -1);
   std::string values;
   for (const auto& entry : transform::kStatusNames) {
@@ -265,7 +266,7 @@ std::string sweep_netcdf_bytes(const SweepResults& results, const std::string& c
   sweep.write_variables(distance_columns());
   sweep.write_variables(error_columns(results));
   sweep.write_variable(
-      {{}, "seconds", "wall-clock time", [](const MethodResult& one) { return one.seconds; }});
+      {{}, "seconds", "wall-clock time", [](const SweepMethodResult& one) { return one.seconds; }});
   sweep.write_references();
   return file.close_and_take_bytes();
 }

@@ -19,13 +19,13 @@ struct MarginalL1Values {
 
 /// One part of an error budget (compare/error_budget.hpp) and its L1 distance.
 struct BudgetContribution {
-  std::string part;  ///< name of the part (compare::ErrorBudgetPart::name)
+  std::string part;  ///< name of the part (compare::ErrorBudgetPart::part_name)
   MarginalL1Values l1;
 
   bool operator==(const BudgetContribution&) const = default;
 };
 
-struct MethodResult {
+struct SweepMethodResult {
   transform::Status status = transform::Status::failed;
   std::string reason = {};  ///< reason for a status other than `ok`; empty for `ok`
   double seconds = 0;
@@ -35,17 +35,17 @@ struct MethodResult {
   std::vector<BudgetContribution> budget = {};
 };
 
-struct PointResult {
+struct SweepPointResult {
   std::size_t point = 0;
   double seconds = 0;  ///< wall-clock time of all methods and comparisons
   /// Id of the reference of the point; empty if no solution of the full problem exists.
   std::string reference = {};
-  std::vector<MethodResult> methods{};  ///< results in the order of the plan's methods
+  std::vector<SweepMethodResult> methods{};  ///< results in the order of the plan's methods
 };
 
 struct SweepResults {
   SweepPlan plan;
-  std::vector<PointResult> points;  ///< solved points by increasing number, without duplicates
+  std::vector<SweepPointResult> points;  ///< solved points by increasing number, without duplicates
 
   bool is_complete() const { return points.size() == plan.points.size(); }
   /// Returns the names of all parts of error budgets, in the order of their first occurrence.
@@ -53,7 +53,7 @@ struct SweepResults {
 };
 
 /// Makes the results of a sweep, with the points sorted by number.
-SweepResults make_sweep_results(SweepPlan plan, std::vector<PointResult> points);
+SweepResults make_sweep_results(SweepPlan plan, std::vector<SweepPointResult> points);
 
 /// Returns the contents of sweep.csv, with a row for each point and method.
 std::string sweep_csv_text(const SweepResults& results);

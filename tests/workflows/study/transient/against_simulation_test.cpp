@@ -38,7 +38,7 @@ std::vector<EnsembleSums> simulate_ensemble(const problem::Problem& problem,
     sums.y_counts.resize(y_edges.size() - 1);
     sums.v_counts.resize(v_edges.size() - 1);
   }
-  const mcs::Oscillator oscillator = tests::oscillator_of(problem);
+  const mcs::SimulatedOscillator oscillator = tests::oscillator_of(problem);
   for (std::uint32_t n = 0; n < kTrajectories; ++n) {
     const mcs::ImpulseSource source(problem.impulses, 3, n);
     tests::Trajectory trajectory(

@@ -16,7 +16,7 @@ namespace {
 using Json = nlohmann::json;
 using transform::ErrorEstimate;
 using transform::Status;
-using transform::Transient;
+using transform::TransientDensities;
 using transform::TransientSnapshot;
 
 // Densities over two bins of width 1, with the probability p in the first bin.
@@ -28,7 +28,7 @@ TransientSnapshot snapshot(double time, double p, double y2, std::optional<Error
           .error = error};
 }
 
-Transient solution(const std::string& id, double p, double estimate) {
+TransientDensities solution(const std::string& id, double p, double estimate) {
   const ErrorEstimate error{.y_l1 = estimate, .ydot_l1 = 0, .moments = {.y2 = 0.3, .v2 = 0.1}};
   return {.id = id,
           .status = Status::ok,
@@ -192,8 +192,8 @@ TEST(TransientComparison, JudgesClosuresByTheDistanceToTheReference) {
 
 TEST(TransientComparison, RequiresTheAccuracyOfTheEstimateAndOfTheDistance) {
   const auto judged = [](double p, double estimate, double of_reference, bool is_compared) {
-    const Transient compared_with = solution("fd-kf", 0.75, of_reference);
-    Transient closure = solution("epc-polar-n6", p, estimate);
+    const TransientDensities compared_with = solution("fd-kf", 0.75, of_reference);
+    TransientDensities closure = solution("epc-polar-n6", p, estimate);
     require_accurate(0.01, is_compared ? &compared_with : nullptr, closure);
     return closure;
   };
@@ -208,7 +208,7 @@ TEST(TransientComparison, RequiresTheAccuracyOfTheEstimateAndOfTheDistance) {
   EXPECT_EQ(judged(0.75, none, none, true).status, Status::inaccurate);
   EXPECT_EQ(judged(0.75, none, 0.001, true).status, Status::ok);
 
-  Transient outside = solution("mcs", 0.75, 0.001);
+  TransientDensities outside = solution("mcs", 0.75, 0.001);
   outside.has_standard_errors = true;
   outside.snapshots[1].y.density[0] -= 0.01;
   require_accurate(0.01, nullptr, outside);

@@ -42,16 +42,18 @@ class SweepCurves {
  public:
   explicit SweepCurves(const SweepView& view)
       : view_(view),
-        place_(view.plan().axes.size() == 2 && KeyAxis(view.plan(), 0).is_categorical() ? 1 : 0),
+        place_(view.plan().axes.size() == 2 && SweepParameterAxis(view.plan(), 0).is_categorical()
+                   ? 1
+                   : 0),
         along_(view.plan(), place_) {
     const SweepPlan& plan = view.plan();
     if (plan.axes.size() == 1) {
       slices_.push_back({"", std::vector<std::size_t>(plan.points.size())});
       std::iota(slices_[0].points.begin(), slices_[0].points.end(), std::size_t{0});
     } else {
-      const KeyAxis across(plan, 1 - place_);
+      const SweepParameterAxis across(plan, 1 - place_);
       for (const auto& value : across.values()) {
-        slices_.push_back({KeyAxis::parameter_value_text(value), {}});
+        slices_.push_back({SweepParameterAxis::parameter_value_text(value), {}});
       }
       for (std::size_t point = 0; point < plan.points.size(); ++point) {
         slices_[across.cell_index(plan.points[point][1 - place_])].points.push_back(point);
@@ -81,7 +83,7 @@ class SweepCurves {
 
   /// Returns a figure with a row of empty panels (displacement and velocity) for each slice.
   report::Figure panels() const {
-    report::Figure figure{.title = view_.title_parts(),
+    report::Figure figure{.title = view_.figure_title_parts(),
                           .panel_height = slices_.size() > 1 ? 250 : 350};
     for (const auto& slice : slices_) {
       for (const char* variable : {"displacement", "velocity"}) {
@@ -123,7 +125,7 @@ class SweepCurves {
  private:
   const SweepView& view_;
   std::size_t place_;  // index of the key on the abscissa in the plan's axes
-  KeyAxis along_;
+  SweepParameterAxis along_;
   std::vector<PlanSlice> slices_;
 };
 
@@ -137,7 +139,7 @@ class DistanceSeries {
     std::vector<FigureSeries> all{reference_error()};
     for (const std::size_t m : view_.compared_method_indices()) {
       const auto curve = curves_.curve(
-          slice_, m, [&](std::size_t point, std::size_t method, const MethodResult& result) {
+          slice_, m, [&](std::size_t point, std::size_t method, const SweepMethodResult& result) {
             return l1_distance(point, method, result);
           });
       all.push_back(error_estimate(m, curve));
@@ -148,7 +150,7 @@ class DistanceSeries {
 
  private:
   std::optional<double> l1_distance(std::size_t point, std::size_t m,
-                                    const MethodResult& result) const {
+                                    const SweepMethodResult& result) const {
     if (!result.l1 || view_.is_reference(point, m)) return std::nullopt;
     return value_of(*result.l1, variable_);
   }
@@ -315,12 +317,13 @@ report::Figure moment_curves_figure(const SweepView& view) {
     for (std::size_t k = first; k < figure.panels.size(); k += 2) {
       FigurePanel& panel = figure.panels[k];
       for (std::size_t m = curves.method_count(); m-- > 0;) {
-        panel.series.push_back(curves.curve(
-            curves.slices()[k / 2], m,
-            [&](std::size_t, std::size_t, const MethodResult& result) -> std::optional<double> {
-              if (!result.moments) return std::nullopt;
-              return (*result.moments).*moment;
-            }));
+        panel.series.push_back(
+            curves.curve(curves.slices()[k / 2], m,
+                         [&](std::size_t, std::size_t,
+                             const SweepMethodResult& result) -> std::optional<double> {
+                           if (!result.moments) return std::nullopt;
+                           return (*result.moments).*moment;
+                         }));
       }
       panels.push_back(&panel);
     }

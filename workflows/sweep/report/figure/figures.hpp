@@ -46,7 +46,7 @@ report::FigureAxis l1_distance_axis(const std::string& label,
 /// @param row index of the row, counted from the top
 double mark_row_ordinate(const report::FigureAxis& axis, std::size_t row);
 
-struct SweepFigure : report::PictureScript {
+struct SweepFigure : report::PictureGnuplotScript {
   std::string caption;  ///< description of the figure in sentences
 };
 

@@ -55,7 +55,8 @@ bool spans_decades(const std::vector<Value>& sorted) {
 
 }  // namespace
 
-KeyAxis::KeyAxis(const SweepPlan& plan, std::size_t axis_index) : key_(plan.axes[axis_index].key) {
+SweepParameterAxis::SweepParameterAxis(const SweepPlan& plan, std::size_t axis_index)
+    : key_(plan.axes[axis_index].key) {
   const SweepAxis& axis = plan.axes[axis_index];
   const auto& parameter = problem::case_file_parameter(key_, "a picture");
   label_ = report::escape_enhanced_text(key_);
@@ -70,21 +71,21 @@ KeyAxis::KeyAxis(const SweepPlan& plan, std::size_t axis_index) : key_(plan.axes
   if (is_words_) return;
   std::ranges::sort(values_);
   values_.erase(std::unique(values_.begin(), values_.end()), values_.end());
-  is_even_ = axis.spacing != AxisSpacing::listed && values_.size() > 1;
-  is_logarithmic_ = axis.spacing == AxisSpacing::logarithmic ||
-                    (axis.spacing == AxisSpacing::listed && spans_decades(values_));
+  is_even_ = axis.spacing != SweepAxisSpacing::listed && values_.size() > 1;
+  is_logarithmic_ = axis.spacing == SweepAxisSpacing::logarithmic ||
+                    (axis.spacing == SweepAxisSpacing::listed && spans_decades(values_));
 }
 
-std::string KeyAxis::parameter_value_text(const Value& value) {
+std::string SweepParameterAxis::parameter_value_text(const Value& value) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? fmt::format("{:.4g}", *number) : std::get<std::string>(value);
 }
 
-double KeyAxis::coordinate(const Value& value) const {
+double SweepParameterAxis::coordinate(const Value& value) const {
   return is_words_ ? static_cast<double>(cell_index(value)) : std::get<double>(value);
 }
 
-double KeyAxis::relative_coordinate(const Value& value) const {
+double SweepParameterAxis::relative_axis_coordinate(const Value& value) const {
   const double from = coordinate(values_.front()), to = coordinate(values_.back()),
                here = coordinate(value);
   if (from == to) return 0;
@@ -92,8 +93,8 @@ double KeyAxis::relative_coordinate(const Value& value) const {
                          : (here - from) / (to - from);
 }
 
-report::FigureAxis KeyAxis::figure_axis() const {
-  if (is_words_) return cell_axis();
+report::FigureAxis SweepParameterAxis::figure_axis() const {
+  if (is_words_) return figure_axis_of_cells();
   const double low = std::get<double>(values_.front()), high = std::get<double>(values_.back());
   constexpr double kRoom = 0.03;  // margin for marks at each end, as a fraction of the range
   if (is_logarithmic_) {
@@ -108,18 +109,18 @@ report::FigureAxis KeyAxis::figure_axis() const {
   return {label_, low - room, high + room};
 }
 
-std::size_t KeyAxis::cell_index(const Value& value) const {
+std::size_t SweepParameterAxis::cell_index(const Value& value) const {
   return static_cast<std::size_t>(std::ranges::find(values_, value) - values_.begin());
 }
 
-report::FigureAxis KeyAxis::cell_axis() const {
+report::FigureAxis SweepParameterAxis::figure_axis_of_cells() const {
   const double last = static_cast<double>(values_.size()) - 1;
   report::FigureAxis axis{label_, -0.5, last + 0.5};
   if (is_even_) {
     const double low = std::get<double>(values_.front()), high = std::get<double>(values_.back());
     const auto numbers = is_logarithmic_ ? round_tics_by_decades(low, high) : round_tics(low, high);
     for (const double number : numbers) {
-      axis.tics.push_back({fmt::format("{:g}", number), relative_coordinate(number) * last});
+      axis.tics.push_back({fmt::format("{:g}", number), relative_axis_coordinate(number) * last});
     }
   } else {
     const std::size_t step = is_words_ ? 1 : (values_.size() + kMaxTics - 1) / kMaxTics;

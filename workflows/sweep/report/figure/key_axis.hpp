@@ -11,10 +11,10 @@ namespace fpkcheck::sweep {
 
 /// Figure axis of a varied key. The axis is logarithmic if the values of the key are spaced
 /// logarithmically, and has equidistant categories if the values are words.
-class KeyAxis {
+class SweepParameterAxis {
  public:
   /// @param axis_index index of the key in the plan's axes
-  KeyAxis(const SweepPlan& plan, std::size_t axis_index);
+  SweepParameterAxis(const SweepPlan& plan, std::size_t axis_index);
 
   const std::string& key() const { return key_; }
   bool is_categorical() const { return is_words_; }
@@ -28,13 +28,13 @@ class KeyAxis {
   double coordinate(const base::Value& value) const;
   /// Returns the relative position of a value on the axis: 0 for the first value, 1 for the last
   /// value.
-  double relative_coordinate(const base::Value& value) const;
+  double relative_axis_coordinate(const base::Value& value) const;
   report::FigureAxis figure_axis() const;
 
   /// Returns the index of the cell of a value in a map with cells of equal width.
   std::size_t cell_index(const base::Value& value) const;
   /// Returns the axis of a map with cells of equal width.
-  report::FigureAxis cell_axis() const;
+  report::FigureAxis figure_axis_of_cells() const;
 
  private:
   std::string key_, label_;

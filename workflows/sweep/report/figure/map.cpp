@@ -72,8 +72,8 @@ class MethodMap {
 
   report::FigurePanel panel(int columns_of_panels) const {
     report::FigurePanel panel{.title = report::escape_enhanced_text(view_.plan().methods[m_].id()),
-                              .x = has_cells() ? x_.cell_axis() : x_.figure_axis(),
-                              .y = has_cells() ? y_.cell_axis() : y_.figure_axis(),
+                              .x = has_cells() ? x_.figure_axis_of_cells() : x_.figure_axis(),
+                              .y = has_cells() ? y_.figure_axis_of_cells() : y_.figure_axis(),
                               .map = heat_map(disc_size(columns_of_panels))};
     panel.series.push_back(outline());
     for (const auto& level : kContourLevels) panel.series.push_back(contour(level));
@@ -90,7 +90,7 @@ class MethodMap {
   }
 
  private:
-  bool has_cells() const { return view_.plan().design == PlanDesign::product; }
+  bool has_cells() const { return view_.plan().design == SweepPlanDesign::product; }
   std::size_t columns() const { return x_.values().size(); }
   std::size_t rows() const { return y_.values().size(); }
 
@@ -167,9 +167,11 @@ class MethodMap {
     return series;
   }
 
-  static std::size_t tile_index(const KeyAxis& axis, const base::Value& value, std::size_t tiles) {
+  static std::size_t tile_index(const SweepParameterAxis& axis, const base::Value& value,
+                                std::size_t tiles) {
     const auto count = static_cast<double>(tiles);
-    return static_cast<std::size_t>(std::min(axis.relative_coordinate(value) * count, count - 1));
+    return static_cast<std::size_t>(
+        std::min(axis.relative_axis_coordinate(value) * count, count - 1));
   }
 
   static void add_segment(FigureSeries& series, const std::array<double, 2>& from,
@@ -240,7 +242,7 @@ class MethodMap {
 
   const SweepView& view_;
   std::size_t m_;
-  KeyAxis x_, y_;
+  SweepParameterAxis x_, y_;
   std::vector<std::vector<std::size_t>> cells_;  // number of the point in each cell, by x and y
 };
 
@@ -250,7 +252,7 @@ report::Figure distance_map_figure(const SweepView& view) {
   const auto methods = view.compared_method_indices();
   const int count = static_cast<int>(methods.size());
   const int columns = count <= 3 ? count : count == 4 ? 2 : count <= 6 ? 3 : 4;
-  report::Figure figure{.title = view.title_parts(),
+  report::Figure figure{.title = view.figure_title_parts(),
                         .columns = columns,
                         .screen_width = 1200,
                         .panel_height = MethodMap::panel_height(columns)};

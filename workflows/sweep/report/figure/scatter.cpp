@@ -34,7 +34,7 @@ class KeyBins {
     sections_ = std::clamp<std::size_t>(plan.points.size() / 10, 3, kMaxBins);
   }
 
-  const KeyAxis& axis() const { return axis_; }
+  const SweepParameterAxis& axis() const { return axis_; }
   std::size_t place() const { return place_; }
   bool is_enough(std::size_t points) const {
     return sections_ == 0 || points >= kMinPointsForMedian;
@@ -57,7 +57,7 @@ class KeyBins {
     return axis_.is_logarithmic() ? std::log(number) : number;
   }
 
-  KeyAxis axis_;
+  SweepParameterAxis axis_;
   std::size_t place_;
   double low_ = 0, high_ = 0;
   std::size_t sections_ = 0;  // number of sections; 0 if each value is a bin
@@ -77,9 +77,10 @@ std::vector<FigureSeries> method_series(const SweepView& view, const KeyBins& ke
     const auto l1 = view.larger_marginal_l1(point.point, m);
     if (!l1 || *l1 <= 0) continue;
     const auto& value = view.plan().points[point.point][key.place()];
-    const bool is_ok = point.methods[m].status == transform::Status::ok;
-    points.points.push_back({.x = key.axis().coordinate(value) + offset, .y = *l1, .open = !is_ok});
-    if (is_ok) ok[key.bin(value)].push_back(*l1);
+    const bool has_status_ok = point.methods[m].status == transform::Status::ok;
+    points.points.push_back(
+        {.x = key.axis().coordinate(value) + offset, .y = *l1, .open = !has_status_ok});
+    if (has_status_ok) ok[key.bin(value)].push_back(*l1);
   }
   FigureSeries medians = report::make_empty_series(
       fmt::format("median of {} where ok", identity.id), identity.plot_style);
@@ -101,7 +102,7 @@ std::vector<FigureSeries> method_series(const SweepView& view, const KeyBins& ke
 
 report::Figure distance_scatter_figure(const SweepView& view) {
   const auto methods = view.compared_method_indices();
-  report::Figure figure{.title = view.title_parts(), .panel_height = 280};
+  report::Figure figure{.title = view.figure_title_parts(), .panel_height = 280};
   for (std::size_t place = 0; place < view.plan().axes.size(); ++place) {
     const KeyBins key(view.plan(), place);
     report::FigurePanel panel{.title = report::escape_enhanced_text(key.axis().key()),

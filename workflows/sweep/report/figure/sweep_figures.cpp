@@ -47,8 +47,9 @@ std::vector<SweepFigure> sweep_figures(const SweepResults& results, report::Figu
   const SweepPlan& plan = results.plan;
   if (results.points.empty()) return {};
   const SweepView view(results);
-  const bool one_is_words = plan.axes.size() == 2 && plan.design == PlanDesign::product &&
-                            KeyAxis(plan, 0).is_categorical() != KeyAxis(plan, 1).is_categorical();
+  const bool one_is_words =
+      plan.axes.size() == 2 && plan.design == SweepPlanDesign::product &&
+      SweepParameterAxis(plan, 0).is_categorical() != SweepParameterAxis(plan, 1).is_categorical();
   if (plan.axes.size() == 1 || one_is_words) return curve_figures(view, width);
   if (!view.has_distances()) return {};
   if (plan.axes.size() == 2) return {map_figure(view, width)};

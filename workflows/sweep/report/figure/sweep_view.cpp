@@ -14,16 +14,16 @@ namespace {
 // Returns the parameters that are not varied and differ from their default values, e.g. "c = 0.1".
 std::vector<std::string> fixed_parameter_list(const SweepPlan& plan) {
   std::vector<std::string> list;
-  for (const auto& parameter : problem::displayed_parameters(plan.base)) {
+  for (const auto& parameter : problem::parameters_for_reports(plan.base)) {
     const std::string key = parameter.section + '.' + parameter.name;
     if (parameter.is_default || std::ranges::count(plan.axes, key, &SweepAxis::key) > 0) continue;
     if (std::holds_alternative<bool>(parameter.value)) {
       list.emplace_back("no wall");
     } else if (parameter.typeset.empty()) {
-      list.push_back(KeyAxis::parameter_value_text(parameter.value) + " impulses");
+      list.push_back(SweepParameterAxis::parameter_value_text(parameter.value) + " impulses");
     } else {
       list.push_back(fmt::format("{} = {}", parameter.typeset,
-                                 KeyAxis::parameter_value_text(parameter.value)));
+                                 SweepParameterAxis::parameter_value_text(parameter.value)));
     }
   }
   return list;
@@ -36,14 +36,14 @@ SweepView::SweepView(const SweepResults& results)
   for (const auto& point : results.points) by_number_[point.point] = &point;
 }
 
-const MethodResult* SweepView::method_result(std::size_t point_number,
-                                             std::size_t method_index) const {
-  const PointResult* found = point_result(point_number);
+const SweepMethodResult* SweepView::method_result(std::size_t point_number,
+                                                  std::size_t method_index) const {
+  const SweepPointResult* found = point_result(point_number);
   return found == nullptr ? nullptr : &found->methods[method_index];
 }
 
 bool SweepView::is_reference(std::size_t point_number, std::size_t method_index) const {
-  const PointResult* found = point_result(point_number);
+  const SweepPointResult* found = point_result(point_number);
   return found != nullptr && found->reference == plan().methods[method_index].id();
 }
 
@@ -57,7 +57,7 @@ std::optional<MarginalL1Values> SweepView::reference_error(std::size_t point_num
 
 std::optional<double> SweepView::larger_marginal_l1(std::size_t point_number,
                                                     std::size_t method_index) const {
-  const MethodResult* found = method_result(point_number, method_index);
+  const SweepMethodResult* found = method_result(point_number, method_index);
   if (found == nullptr || !found->l1 || is_reference(point_number, method_index))
     return std::nullopt;
   const double l1 = std::max(found->l1->y, found->l1->ydot);
@@ -93,7 +93,7 @@ std::vector<std::size_t> SweepView::compared_method_indices() const {
   return compared;
 }
 
-std::vector<std::string> SweepView::title_parts() const {
+std::vector<std::string> SweepView::figure_title_parts() const {
   std::vector<std::string> parts{plan().base.name + ": "};
   for (const auto& parameter : fixed_parameter_list(plan())) {
     if (parts.size() > 1) parts.back() += ", ";

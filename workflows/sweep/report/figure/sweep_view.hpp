@@ -18,10 +18,10 @@ class SweepView {
   const SweepPlan& plan() const { return results_.plan; }
 
   /// Returns the result of a point; a null pointer if the point was not solved.
-  const PointResult* point_result(std::size_t point_number) const {
+  const SweepPointResult* point_result(std::size_t point_number) const {
     return by_number_[point_number];
   }
-  const MethodResult* method_result(std::size_t point_number, std::size_t method_index) const;
+  const SweepMethodResult* method_result(std::size_t point_number, std::size_t method_index) const;
   bool is_reference(std::size_t point_number, std::size_t method_index) const;
   /// Returns the error estimate of the reference of a point; empty if the reference has no error
   /// estimate.
@@ -39,11 +39,11 @@ class SweepView {
 
   /// Returns the parts of a figure title. Each part states one parameter that has the same value at
   /// all points.
-  std::vector<std::string> title_parts() const;
+  std::vector<std::string> figure_title_parts() const;
 
  private:
   const SweepResults& results_;
-  std::vector<const PointResult*> by_number_;
+  std::vector<const SweepPointResult*> by_number_;
 };
 
 /// Returns the parameters with equal values at all points as a line of text, e.g. "c = 0.1, k = 1".

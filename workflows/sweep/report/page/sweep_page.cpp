@@ -34,8 +34,8 @@ std::string count_with_noun(std::size_t count, const char* noun) {
 }
 
 std::string axis_sentence(const SweepAxis& axis) {
-  if (axis.spacing == AxisSpacing::listed) return axis.definition_text();
-  const char* how = axis.spacing == AxisSpacing::logarithmic ? " on a logarithmic scale" : "";
+  if (axis.spacing == SweepAxisSpacing::listed) return axis.definition_text();
+  const char* how = axis.spacing == SweepAxisSpacing::logarithmic ? " on a logarithmic scale" : "";
   return axis.values.empty()
              ? fmt::format("{} in {:g} .. {:g}{}", axis.key, axis.from, axis.to, how)
              : fmt::format("{} from {:g} to {:g} ({} values, evenly spaced{})", axis.key, axis.from,
@@ -48,7 +48,7 @@ std::string introduction_html(const SweepResults& results) {
   for (const auto& axis : plan.axes) varied.push_back(axis_sentence(axis));
   std::string text =
       fmt::format("Varied parameters of {}: {}", plan.base.name, fmt::join(varied, "; "));
-  if (plan.axes.size() > 1 || plan.design == PlanDesign::sobol) {
+  if (plan.axes.size() > 1 || plan.design == SweepPlanDesign::sobol) {
     text += fmt::format("; design: {}", base::meaning_of(plan.design));
   }
   text += fmt::format(". {}, each solved by {}.", count_with_noun(plan.points.size(), "point"),
@@ -57,7 +57,7 @@ std::string introduction_html(const SweepResults& results) {
     text += fmt::format(" {} solved so far.", count_with_noun(results.points.size(), "point"));
   }
   if (!results.points.empty() &&
-      std::ranges::all_of(results.points, &std::string::empty, &PointResult::reference)) {
+      std::ranges::all_of(results.points, &std::string::empty, &SweepPointResult::reference)) {
     text += " No method solves the full problem, so there is no reference.";
   }
   return text;
@@ -65,14 +65,15 @@ std::string introduction_html(const SweepResults& results) {
 
 // Returns the HTML table of the methods, with the same columns as the text table for the terminal.
 std::string methods_table_html(const SweepResults& results) {
-  std::vector<report::HtmlColumn> columns;
+  std::vector<report::HtmlTableColumn> columns;
   for (auto& column : method_table_columns(results)) {
     const std::string header =
         column.group.empty() ? column.header : fmt::format("{}, {}", column.group, column.header);
     std::ranges::replace(column.cells, std::string(report::kMissingCell),
                          std::string(report::kNoValue));
-    columns.push_back({header, column.left_aligned ? report::Align::left : report::Align::right,
-                       std::move(column.cells)});
+    columns.push_back(
+        {header, column.left_aligned ? report::TextAlignment::left : report::TextAlignment::right,
+         std::move(column.cells)});
   }
   return report::table_html("Methods", std::move(columns)) +
          html_element("p", method_table_legend());
@@ -94,7 +95,7 @@ std::string point_values_text(const SweepPlan& plan, std::size_t point) {
   std::vector<std::string> values;
   for (std::size_t k = 0; k < plan.axes.size(); ++k) {
     values.push_back(fmt::format("{} = {}", plan.axes[k].key,
-                                 KeyAxis::parameter_value_text(plan.points[point][k])));
+                                 SweepParameterAxis::parameter_value_text(plan.points[point][k])));
   }
   return fmt::format("{}", fmt::join(values, ", "));
 }
@@ -106,7 +107,7 @@ std::string status_reasons_html(const SweepResults& results) {
   std::string html =
       html_element("h2", "Reasons why solutions are not ok") + "<ul class=\"reasons\">\n";
   for (std::size_t k = 0; k < std::min(kMaxReasons, groups.size()); ++k) {
-    const ReasonGroup& group = groups[k];
+    const StatusReasonGroup& group = groups[k];
     html += fmt::format("<li><strong>{} {}</strong>, {}, first at {}: {}.</li>\n",
                         escape_html(results.plan.methods[group.method].id()), name(group.status),
                         count_with_noun(group.count, "point"),
@@ -147,8 +148,8 @@ std::string replace_numbers_by_dots(const std::string& reason) {
   return std::regex_replace(reason, number, "$1...");
 }
 
-std::vector<ReasonGroup> reason_groups(const SweepResults& results) {
-  std::map<std::tuple<std::size_t, transform::Status, std::string>, ReasonGroup> found;
+std::vector<StatusReasonGroup> reason_groups(const SweepResults& results) {
+  std::map<std::tuple<std::size_t, transform::Status, std::string>, StatusReasonGroup> found;
   for (const auto& point : results.points) {
     for (std::size_t m = 0; m < point.methods.size(); ++m) {
       const auto& [status, reason] = std::tie(point.methods[m].status, point.methods[m].reason);
@@ -159,9 +160,9 @@ std::vector<ReasonGroup> reason_groups(const SweepResults& results) {
       }
     }
   }
-  std::vector<ReasonGroup> groups;
+  std::vector<StatusReasonGroup> groups;
   for (auto& [key, group] : found) groups.push_back(std::move(group));
-  std::ranges::stable_sort(groups, std::ranges::greater(), &ReasonGroup::count);
+  std::ranges::stable_sort(groups, std::ranges::greater(), &StatusReasonGroup::count);
   return groups;
 }
 

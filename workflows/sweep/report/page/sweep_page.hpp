@@ -20,7 +20,7 @@ std::string sweep_page(const SweepResults& results, const std::vector<EmbeddedPi
 
 /// Results of one method that are not `ok` for the same reason. Reasons that differ only in numbers
 /// count as equal.
-struct ReasonGroup {
+struct StatusReasonGroup {
   std::size_t method;
   transform::Status status;
   std::size_t count = 0;
@@ -30,7 +30,7 @@ struct ReasonGroup {
 
 /// Returns the groups of results that have equal reasons for their status, the most frequent reason
 /// first.
-std::vector<ReasonGroup> reason_groups(const SweepResults& results);
+std::vector<StatusReasonGroup> reason_groups(const SweepResults& results);
 
 /// Replaces numbers in a reason by dots, e.g. "residual ... after ... steps". Digits within words
 /// ("km4") are kept.
