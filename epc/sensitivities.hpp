@@ -11,7 +11,7 @@ namespace fpkcheck::epc {
 
 /// Computes the derivatives of the moments of a stationary closure with respect to parameters, by
 /// difference quotients of the roots of changed problems. The error estimates are the differences
-/// to the derivatives of the closure of closure order n-2; for n = 2 the error estimates are NaN.
+/// to the derivatives of the closure of order n-2; for n = 2 the error estimates are NaN.
 ///
 /// The status is `not_converged` if a root of a changed problem does not have the status `ok`. The
 /// status does not depend on ClosureOptions::accuracy.

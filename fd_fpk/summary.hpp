@@ -83,7 +83,7 @@ struct FiniteVolumeSummary {
   double impact_rate = 0;
 };
 
-/// Returns the metrics in the order of summary.json, without the errors in transform::StatedError.
+/// Returns the metrics in the order of summary.json, without the errors in transform::ErrorEstimate.
 transform::Metrics metrics(const FiniteVolumeSummary& summary);
 
 struct FiniteVolumeResult {

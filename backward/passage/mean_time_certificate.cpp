@@ -225,11 +225,12 @@ std::optional<std::array<MeanTimeCertificate, 2>> compute_mean_time_certificates
   // Collocation of the renewal equation with the sources 1 + e and 1 - e
   constexpr double kNodesPerDeviation = 2.1, kPanelRefinement = 0.3;
   const double v_max = 1.07 * largest_eta;
-  const ChebyshevGrid grid(
-      {0, barrier, v_max},
-      static_cast<int>(std::ceil(kNodesPerDeviation * (4 + std::sqrt(oscillator.stiffness) *
-                                                               barrier / oscillator.deviation))),
-      static_cast<int>(std::ceil(kNodesPerDeviation * 2 * v_max / oscillator.deviation)));
+  const double n_y = std::ceil(kNodesPerDeviation * (4 + std::sqrt(oscillator.stiffness) * barrier /
+                                                             oscillator.deviation)),
+               n_v = std::ceil(kNodesPerDeviation * 2 * v_max / oscillator.deviation);
+  constexpr double kMaxNodes = 5000;  // the dense matrices then take about 1 GB
+  if (!(n_y * n_v <= kMaxNodes)) return std::nullopt;
+  const ChebyshevGrid grid({0, barrier, v_max}, static_cast<int>(n_y), static_cast<int>(n_v));
   const RenewalEquation equation(problem, grid, rate, kPanelRefinement);
   auto operators = equation.compute_operators({{rate}}, deadline);
   if (operators.empty()) return std::nullopt;
@@ -256,7 +257,7 @@ std::optional<std::array<MeanTimeCertificate, 2>> compute_mean_time_certificates
   const UnforcedMotionSolver motion(problem.system, barrier, oscillator.deviation, 1);
   const UnforcedMotionSolver trapped_motion(problem.system, barrier + kHigher, oscillator.deviation,
                                             1);
-  const auto mean_passage_times_by_start = [&](const PhaseState& start, bool trapped) {
+  const auto mean_times_from = [&](const PhaseState& start, bool trapped) {
     const UnforcedTrajectory trajectory =
         (trapped ? trapped_motion : motion).compute_trajectory(start, kMaxExponent / rate);
     Eigen::VectorXd y_polynomials(grid.y_node_count()), v_polynomials(grid.v_node_count());
@@ -301,7 +302,7 @@ std::optional<std::array<MeanTimeCertificate, 2>> compute_mean_time_certificates
                              : region == trapped_down ? trapped_up
                              : region == exit_down    ? exit_up
                                                       : region;
-        const auto times = mean_passage_times_by_start(
+        const auto times = mean_times_from(
             {is_at_wall ? 0 : barrier - s * s, region_velocity(oscillator, grazing, after, s, eta)},
             is_trapped(region));
         for (std::size_t k = 0; k < 2; ++k)

@@ -689,9 +689,12 @@ bool Verification::verify_rectangle(Region region, const Rectangle& r, const Arc
   // K V as a function of s and of v = +-W(s, eta)
   const double sign = is_incoming(region) ? -1 : 1;
   double ss = 0, sv = 0;
-  for (const double speed : {W.low, (W.low + W.high) / 2, W.high}) {
+  // Each bound is valid between two neighbouring coarse velocities.
+  const double coarse_step = kCoarse * velocities_.step();
+  for (double speed = W.low;; speed = std::min(speed + coarse_step, W.high)) {
     ss = std::max(ss, coarse_bound(curvature.ss, sign * speed));
     sv = std::max(sv, coarse_bound(curvature.sv, sign * speed));
+    if (!(speed < W.high)) break;
   }
   in_s += rate * (ss + 2 * sv * W.s + mean_curvature_ * W.s * W.s + mean_slope_ * W.ss);
   in_eta += rate * (mean_curvature_ * W.eta * W.eta + mean_slope_ * W.eta2);

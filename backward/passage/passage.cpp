@@ -160,14 +160,17 @@ std::optional<StationaryLaws> solve_stationary_laws(const PassageProblem& passag
   v_max = std::max(v_max, kFraction * scales.v_high);
   const double y_high = std::max(std::lerp(scales.centre, scales.y_high, kFraction),
                                  barrier + kMinDeviationsBeyond * scales.displacement_deviation);
+  // The computing time of a grid increases with the fifth power of the number of nodes in each
+  // direction. The error of the crossings is assumed to halve from grid to grid.
+  const double growth = std::pow(kNodeRatio, 5);
+  constexpr double kErrorRatio = 2;
   std::optional<StationaryCrossings> last;
-  double seconds_of_last_grid = 0;
+  double seconds_to_tolerance = 0;
   for (double nodes = kFirstNodes;; nodes *= kNodeRatio) {
     const auto [n_y, n_v] = choose_node_counts(whole, nodes);
     const double n_upper = std::ceil(
         nodes * (kMinDeviationsBeyond + passage.frequency * (y_high - barrier) / deviation));
-    const double growth = std::pow(kNodeRatio, 5);
-    if ((n_y + n_upper) * n_v > kMaxNodes || !deadline.has_time_for(growth * seconds_of_last_grid))
+    if ((n_y + n_upper) * n_v > kMaxNodes || !deadline.has_time_for(seconds_to_tolerance))
       return std::nullopt;
     const base::Stopwatch stopwatch;
     const ChebyshevGrid lower(whole.domain, static_cast<int>(n_y), static_cast<int>(n_v)),
@@ -175,16 +178,18 @@ std::optional<StationaryLaws> solve_stationary_laws(const PassageProblem& passag
     auto crossings = compute_stationary_crossings(passage.problem, lower, upper,
                                                   kPanelRefinement * nodes, deadline);
     if (!crossings || !crossings->rates.allFinite()) return std::nullopt;
-    seconds_of_last_grid = stopwatch.seconds();
+    double grids_to_tolerance = 1;
     if (last) {
-      const auto is_accurate = [&](double finer, double coarser) {
-        return estimate_from_grids(finer, coarser).error <= tolerance * finer;
+      const auto relative_error = [](double finer, double coarser) {
+        return estimate_from_grids(finer, coarser).error / finer;
       };
-      if (is_accurate(crossings->rates.sum(), last->rates.sum()) &&
-          is_accurate(crossings->probability_below, last->probability_below)) {
-        return StationaryLaws{*crossings, *last};
-      }
+      const double error =
+          std::max(relative_error(crossings->rates.sum(), last->rates.sum()),
+                   relative_error(crossings->probability_below, last->probability_below));
+      if (error <= tolerance) return StationaryLaws{*crossings, *last};
+      grids_to_tolerance = std::ceil(std::log(error / tolerance) / std::log(kErrorRatio));
     }
+    seconds_to_tolerance = stopwatch.seconds() * std::pow(growth, grids_to_tolerance);
     last = std::move(crossings);
   }
 }
@@ -393,7 +398,7 @@ FirstPassageResult solve_passage(const problem::Problem& problem,
   constexpr double kFirstNodes = 0.96;
   // The grids are refined until the error is a fraction of the required accuracy, since the errors
   // decrease quickly. The errors of the stationary law decrease slowly.
-  constexpr double kTargetFraction = 1e-2, kTargetFractionOfLaw = 0.5, kTimeFractionOfLaw = 0.5;
+  constexpr double kTargetFraction = 1e-2, kTargetFractionOfLaw = 0.5, kTimeFractionOfLaw = 0.4;
   const std::optional<StationaryLaws> laws =
       solve_stationary_laws(below, kTargetFractionOfLaw * options.accuracy,
                             base::Deadline(kTimeFractionOfLaw * options.max_seconds));

@@ -90,7 +90,10 @@ FirstPassageResult bound_passage(const problem::Problem& problem,
     passage.reason = deadline.has_passed()
                          ? fmt::format("the time limit of {:g} s is reached; raise --max-seconds",
                                        options.max_seconds)
-                         : "the inequality of the bounds is not proved; use characteristics";
+                     : certificates
+                         ? "the inequality of the bounds is not proved; use characteristics"
+                         : "the bounds need more than 5000 nodes: the barrier is too high or "
+                           "impulses are too frequent; use characteristics";
     return passage;
   }
   const auto [upper, lower] = bounds;

@@ -424,7 +424,7 @@ TEST(PassageByCharacteristics, AgreesWithTheSimulation) {
     options.methods = "characteristics,mcs";
     options.displacement = barrier;
     options.time = 3e5;
-    options.max_seconds = 300;  // time limit that a busy machine keeps
+    options.max_seconds = 120;
     const PassageStudy study =
         study_passage(problem::read_case(text, "test", "test.ini"), options, {});
     const auto &found = study.passages.at(0), &simulated = study.passages.at(1);

@@ -178,7 +178,7 @@ const base::Description<PassageOptions>& passage_option_descriptions() {
               "times", &PassageOptions::times,
               {"LIST",
                "times of the survival probabilities (default: ten times up to three mean times, from "
-               "the first method)"}),
+               "the first method other than mcs)"}),
       "largest relative error of finite volumes, characteristics and bounds, for status ok",
       "simulated time of the stationary process (default: until the standard error of the mean is "
       "1 %, at most about 10 s of computing)",

@@ -454,7 +454,8 @@ std::string solution_summary_text(const TransientComparison& study,
   std::string line = solution_status_line(solution.id, solution.status, solution.reason);
   if (solution.snapshots.empty()) return line.substr(0, line.rfind(';'));
   const double estimate = largest_l1_error_estimate(solution);
-  if (std::isfinite(estimate)) {
+  const bool has_evolved = solution.snapshots.back().time > 0;
+  if (std::isfinite(estimate) && has_evolved) {
     line += fmt::format("{} at most {:.1e} in L1",
                         solution.has_standard_errors     ? "expected sampling error"
                         : solution.id.starts_with("epc") ? "difference from order n-2"
