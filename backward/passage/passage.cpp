@@ -398,7 +398,7 @@ FirstPassageResult solve_passage(const problem::Problem& problem,
   constexpr double kFirstNodes = 0.96;
   // The grids are refined until the error is a fraction of the required accuracy, since the errors
   // decrease quickly. The errors of the stationary law decrease slowly.
-  constexpr double kTargetFraction = 1e-2, kTargetFractionOfLaw = 0.5, kTimeFractionOfLaw = 0.4;
+  constexpr double kTargetFraction = 1e-2, kTargetFractionOfLaw = 0.5, kTimeFractionOfLaw = 0.5;
   const std::optional<StationaryLaws> laws =
       solve_stationary_laws(below, kTargetFractionOfLaw * options.accuracy,
                             base::Deadline(kTimeFractionOfLaw * options.max_seconds));

@@ -28,7 +28,7 @@ struct PassageCollocationOptions {
 /// operator of RenewalEquation with the weight w(t) = exp(-(lambda - g) t). A ReducedPassageModel
 /// gives the survival probabilities, and StationaryCrossings give the values of the stationary
 /// start. The values of the stationary start are absent if there is a right wall, or if the error
-/// of the stationary law is above half of the accuracy within two fifths of the time limit. The error
+/// of the stationary law is above half of the accuracy within half of the time limit. The error
 /// estimate of a value is four times its difference from the value on the previous, coarser grid,
 /// plus, for survival probabilities, the change by the last shifts of the reduced model.
 /// @param times times of the survival probabilities; if empty, those of
