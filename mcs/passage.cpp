@@ -87,11 +87,11 @@ class CrossingDetector {
   std::uint64_t count_ = 0;
 };
 
-// Values of the potential of the spring. The potential of a formula is interpolated in a table,
-// since each value takes ten evaluations of the formula.
-class FastPotential {
+// The potential of the spring: a polynomial, or a table of the potential of a formula. Without the
+// table, each value of the potential would take ten evaluations of the formula.
+class TabulatedPotential {
  public:
-  FastPotential(const problem::Problem& problem, const problem::MotionScales& scales)
+  TabulatedPotential(const problem::Problem& problem, const problem::MotionScales& scales)
       : potential_(problem.system), low_(scales.y_low) {
     if (potential_.polynomial_or_null() != nullptr) return;
     step_ = (scales.y_high - scales.y_low) / kIntervals;
@@ -123,7 +123,7 @@ class FastPotential {
 
 // An energy level in wall coordinates.
 struct EnergyLevel {
-  FastPotential potential;
+  TabulatedPotential potential;
   double level;
   /// Variance of the velocity change by an impulse, if evenly spaced impulses replace white noise
   double impulse_variance;

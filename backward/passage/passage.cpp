@@ -149,8 +149,8 @@ std::optional<StationaryLaws> solve_stationary_laws(const PassageProblem& passag
   if (passage.problem.system.right_wall()) return std::nullopt;
   // Nodes per standard deviation of the amplitude on the first grid
   constexpr double kFirstNodes = 0.96;
-  // Fraction of the distances to the points at which the stationary density is exp(-7^2/2) times
-  // its peak; beyond this fraction functions are constant.
+  // The nodes cover this fraction of the intervals of y and v in which the stationary density
+  // exceeds exp(-7^2/2) times its peak. Outside the nodes, interpolated functions are constant.
   constexpr double kFraction = 0.85, kMinDeviationsBeyond = 2;
   const problem::MotionScales scales = problem::motion_scales(passage.problem);
   const double deviation = passage.problem.impulses.amplitude_law().deviation();

@@ -102,9 +102,10 @@ ConvergedValues converge_on_grids(const problem::Problem& problem,
                                   const MagnitudeFunction& magnitudes) {
   // All grids have the same box, so that the differences between grids do not contain the
   // truncation error of the box. The box of functionals is therefore wider than the box of a
-  // stationary density. A still wider box changes E[y'^4] of case1 by a relative 6e-7 and the
-  // derivatives of E[y'^4] by a relative 4e-6. With the box of a stationary density the relative
-  // changes are 2e-5 and 1e-4 (`fpkcheck sensitivity case1 --methods fd-kf`).
+  // stationary density. In case 1, a box wider than the box of functionals changes E[y'^4] by a
+  // relative 6e-7, and the derivatives of E[y'^4] with respect to the parameters by a relative
+  // 4e-6. With the box of a stationary density the relative changes are 2e-5 and 1e-4 (`fpkcheck
+  // sensitivity case1 --methods fd-kf`).
   constexpr double kEdgeDensityFactor = 1e-2;
   const base::Deadline deadline(options.max_seconds);
   FiniteVolumeOptions on_grid = options;

@@ -71,8 +71,8 @@ double default_simulated_time(const SimulationOptions& options, const StreamEven
           ? most
           : kDefaultEvents * (options.tails ? kTailsShare : 1) / rates.total_rate();
   const double enough = std::pow(kErrorOfOneDecayTime / options.accuracy, 2) / rates.decay;
-  // true if SimulationOptions::accuracy requires more than the full time or, with several wells,
-  // more than a minute of computing
+  // Whether SimulationOptions::accuracy requires more simulated time than `full`, the largest
+  // automatic time, or, with several wells, more than a minute of computing.
   const bool is_out_of_reach = enough > full || (enough > most && rates.wells > 1);
   return std::min(full,
                   is_out_of_reach ? default_time : std::max(default_time, std::min(enough, most)));
