@@ -4,7 +4,7 @@
 #include <string>
 
 #include "fd_fpk/linear/preconditioner.hpp"
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "problem/case_file.hpp"
 
@@ -36,7 +36,7 @@ struct CaseOnGrid {
             problem, options, fd_fpk::initial_box(problem, options))) {}
 
   const fd_fpk::PhasePlaneGrid& grid() const { return discretisation.grid; }
-  const fd_fpk::DiscreteExcitation& excitation() const { return discretisation.excitation; }
+  const fd_fpk::DiscretisedExcitation& excitation() const { return discretisation.excitation; }
   fd_fpk::FokkerPlanckOperator op() const {
     return fd_fpk::fokker_planck_operator(problem.system, excitation(), options.impact, grid(),
                                           fd_fpk::transport_order(options));

@@ -23,13 +23,13 @@ using Integer = int;
 /// sparsity pattern.
 SparseColumnMatrix low_order_matrix(const CaseOnGrid& problem_on_grid) {
   const auto& impulses = problem_on_grid.problem.impulses;
-  const DiscreteExcitation weak{
+  const DiscretisedExcitation weak{
       .drift = 0, .diffusion = impulses.rate_times_moment(2) / 8, .exchange = {}};
   SparseColumnMatrix unit(problem_on_grid.grid().size(), problem_on_grid.grid().size());
   unit.setIdentity();
   return unit - 0.1 * fokker_planck_operator(problem_on_grid.problem.system, weak,
                                              problem_on_grid.options.impact, problem_on_grid.grid(),
-                                             3, CoefficientProductAveraging::lumped)
+                                             3, CellAverageProductRule::lumped)
                           .local;
 }
 

@@ -16,12 +16,12 @@
 #include <stdexcept>
 
 #include "base/process/parallel_for.hpp"
-#include "compare/comparison_axes.hpp"
+#include "compare/comparison_bins.hpp"
 #include "compare/rest_atoms.hpp"
 #include "mcs/applicability.hpp"
 #include "mcs/solve.hpp"
 #include "methods/builtin_solvers.hpp"
-#include "methods/method.hpp"
+#include "methods/method_interface.hpp"
 #include "methods/run_cases.hpp"
 #include "problem/motion_scales.hpp"
 #include "problem/problem_features.hpp"
@@ -89,7 +89,7 @@ struct MethodResult {
 };
 
 mcs::SimulationOptions reference_options(const problem::Problem& problem,
-                                         const compare::ComparisonAxes& axes,
+                                         const compare::ComparisonBins& axes,
                                          const Settings& settings) {
   const auto scales = problem::motion_scales(problem);
   const double decay_times = 1.6e6 / scales.slowest_decay_rate;
@@ -116,7 +116,7 @@ Marginal read(std::istream& in, const std::vector<double>& edges) {
 }
 
 SimulationReference simulation_reference(const problem::Problem& problem,
-                                         const compare::ComparisonAxes& axes,
+                                         const compare::ComparisonBins& axes,
                                          const Settings& settings) {
   const std::filesystem::path stored_file =
       std::filesystem::path(settings.keep) / (problem.name + ".txt");
@@ -324,7 +324,7 @@ double lowest_resolved_density(const Marginal& marginal) {
 
 void solve_tails(const problem::Problem& problem) {
   const auto solution = methods::solve_in_wall_coordinates(
-      problem, {compare::comparison_axes(problem), {}},
+      problem, {compare::comparison_bins(problem), {}},
       [](const problem::Problem&) { return std::string(); },
       [&](const problem::Problem& transformed,
           const methods::SolverInputContext& transformed_context) {
@@ -403,7 +403,7 @@ int run(const Settings& settings) {
     }
     const auto& problem = problems.back();
     if (settings.verbose) print_parameters(problem);
-    const auto axes = compare::undivided_axes(compare::comparison_axes(problem));
+    const auto axes = compare::undivided_comparison_bins(compare::comparison_bins(problem));
     std::vector<Solution> solutions(methods.size());
     base::parallel_for(methods.size(), 0, [&](std::size_t m) {
       solutions[m] = methods::solve_with_method(methods[m], problem, {axes, {}});

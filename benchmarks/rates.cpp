@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/comparison_axes.hpp"
+#include "compare/comparison_bins.hpp"
 #include "exact/closed_forms.hpp"
 #include "fd_fpk/solve.hpp"
 #include "methods/builtin_solvers.hpp"
@@ -76,7 +76,7 @@ struct Comparison {
   double l1 = 0, ratio = 0;
 };
 Comparison judged(const problem::Problem& problem, const Solution& solution,
-                  const Solution& reference_solution, const compare::ComparisonAxes& axes) {
+                  const Solution& reference_solution, const compare::ComparisonBins& axes) {
   Comparison result;
   for (const auto variable : transform::kVariables) {
     const auto& edges = compare::comparison_bin_edges(axes, variable);
@@ -99,7 +99,7 @@ Comparison judged(const problem::Problem& problem, const Solution& solution,
 }
 
 void add(const problem::Problem& problem, const Solution& solution,
-         const std::optional<Solution>& reference_solution, const compare::ComparisonAxes& axes,
+         const std::optional<Solution>& reference_solution, const compare::ComparisonBins& axes,
          const Settings& settings, MethodStatistics& tally) {
   constexpr double kSafetyFactor = 2;
   std::string text;
@@ -133,7 +133,7 @@ int run(const Settings& settings) {
   std::vector<MethodStatistics> tallies(methods.size());
   int problems = 0;
   for (const auto& problem : settings.scan.problems()) {
-    const auto axes = compare::undivided_axes(compare::comparison_axes(problem));
+    const auto axes = compare::undivided_comparison_bins(compare::comparison_bins(problem));
     const auto reference = reference_solution(problem);
     if (settings.verbose) {
       fmt::print("{} ({})\n", problem.name, reference ? "with reference" : "no reference");

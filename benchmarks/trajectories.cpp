@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "mcs/motion/advance.hpp"
+#include "mcs/motion/advance_trajectories.hpp"
 #include "mcs/motion/duffing_flight.hpp"
 #include "problem/case_file.hpp"
 #include "problem/motion_scales.hpp"
@@ -46,8 +46,9 @@ OscillatorState runge_kutta(const problem::System& s, const OscillatorState& x, 
 double runge_kutta_loop(const problem::Problem& problem, double time, unsigned seed) {
   std::mt19937_64 engine(seed);
   std::exponential_distribution<double> waiting(problem.impulses.arrival_rate());
-  std::normal_distribution<double> amplitude(problem.impulses.amplitude_law().mean(),
-                                             problem.impulses.amplitude_law().deviation());
+  std::normal_distribution<double> amplitude(
+      problem.impulses.amplitude_law().mean(),
+      problem.impulses.amplitude_law().amplitude_standard_deviation());
   OscillatorState x{0.5, 0};
   double time_to_impulse = waiting(engine), sum = 0;
   for (double t = 0; t < time;) {
@@ -192,7 +193,7 @@ void errors(const problem::Problem& problem, const OscillatorState& deviation) {
   const auto [rms_lanes, largest_lanes] =
       error_per_time(problem, oscillator, deviation, [&](const OscillatorState& x) {
         const mcs::DuffingFlight<double> flight(oscillator, x);
-        const double time = flight.max_step(kStep);
+        const double time = flight.max_flight_duration(kStep);
         return std::pair{flight.state_at_time(time), time};
       });
   fmt::print(

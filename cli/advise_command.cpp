@@ -98,7 +98,7 @@ std::string method_command(const std::string& id, const std::string& words,
 
 }  // namespace
 
-int advise_command(const CommandCall& call) {
+int advise_command(const CommandInvocation& call) {
   namespace po = boost::program_options;
   CommonCommandArguments common;
   double accuracy = 0.01;

@@ -5,10 +5,10 @@
 #include "base/files/file_transaction.hpp"
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "cli/command_line.hpp"
 #include "cli/program.hpp"
-#include "cli/shutdown.hpp"
+#include "cli/shutdown_after_signal.hpp"
 #include "cli/terminal.hpp"
 #include "methods/case_results.hpp"
 #include "report/findings.hpp"
@@ -55,7 +55,7 @@ backward::StationaryFunctional parse_smooth_bin(const std::string& text) {
 
 }  // namespace
 
-int bounds_command(const CommandCall& call) {
+int bounds_command(const CommandInvocation& call) {
   namespace po = boost::program_options;
   CommonCommandArguments common;
   const auto& description = backward::bounds_option_descriptions();

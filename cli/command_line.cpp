@@ -6,7 +6,7 @@
 #include <set>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "cli/help.hpp"
 #include "problem/case_file.hpp"
 #include "results/output_directory.hpp"
@@ -47,7 +47,8 @@ bool parse_arguments(const std::vector<std::string>& arguments, const std::strin
     }
     po::notify(values);
   } catch (const po::error& error) {
-    throw InputError(fmt::format("{}; --help lists the options", base::sanitise(error.what())));
+    throw InputError(
+        fmt::format("{}; --help lists the options", base::to_printable_text(error.what())));
   }
   return true;
 }
@@ -72,7 +73,8 @@ std::vector<problem::Problem> load_cases(const CommonCommandArguments& common) {
         name, common.overrides, problem::CaseNamingRule::with_overrides, common.time_section));
     // Two cases with different names may have equal file names.
     if (std::ranges::count(common.cases, name) > 1) {
-      throw InputError(fmt::format("{} is named twice; name it once", base::sanitise(name)));
+      throw InputError(
+          fmt::format("{} is named twice; name it once", base::to_printable_text(name)));
     }
     if (!names.insert(results::case_file_stem(problems.back().name)).second) {
       throw InputError(fmt::format(
@@ -87,7 +89,7 @@ std::vector<problem::Problem> load_cases(const CommonCommandArguments& common) {
       throw InputError(
           fmt::format("cases {0} and {0}{1}: a file or variable of case {0} would have the name "
                       "of case {0}{1}; rename a case",
-                      base::sanitise(name), suffix));
+                      base::to_printable_text(name), suffix));
     }
   }
   if (problems.empty()) {

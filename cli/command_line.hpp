@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "base/options/description.hpp"
+#include "base/options/option_description.hpp"
 #include "methods/registry.hpp"
 #include "problem/problem.hpp"
-#include "report/figure/options.hpp"
+#include "report/figure/figure_options.hpp"
 
 namespace fpkcheck::cli {
 
@@ -18,7 +18,7 @@ struct CommonCommandArguments {
   std::vector<std::string> overrides;  ///< values of the option --set, as texts "key=value"
   /// Whether case files may have the section [time] (an excitation that changes in time). Only
   /// commands that compute densities over time accept the section [time].
-  problem::TimeSectionPolicy time_section = problem::TimeSectionPolicy::refused;
+  problem::CaseFileTimeSectionPolicy time_section = problem::CaseFileTimeSectionPolicy::refused;
   std::optional<std::string> out;
   bool quiet = false;
   bool json = false;
@@ -81,12 +81,12 @@ std::vector<int> parse_integers(const std::string& option, const std::string& li
 /// @param values values of all parameters, in any order; the options keep a reference to `values`
 /// @throws InputError during parsing, with the flag, the refused text and the allowed values
 boost::program_options::options_description make_command_line_options(
-    const base::DescriptionBase& description, base::Values& values);
+    const base::OptionsDescriptionBase& description, base::Values& values);
 
 /// Makes options without default values for the parameters in `names`. Parsing stores the options
 /// that occur on the command line in `given`.
 boost::program_options::options_description make_command_line_options(
-    const base::DescriptionBase& description, const std::vector<std::string>& names,
+    const base::OptionsDescriptionBase& description, const std::vector<std::string>& names,
     base::Values& given);
 
 /// Makes the options of solvers (methods::Solver::run_options) for commands that use several

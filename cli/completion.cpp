@@ -7,7 +7,7 @@
 #include "problem/case_file.hpp"
 #include "problem/excitation.hpp"
 #include "problem/system.hpp"
-#include "workflows/study/closure_order.hpp"
+#include "workflows/study/closure_order_study.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -41,8 +41,9 @@ Words case_key_candidates(const Words& words) {
   for (const auto& word : words) {
     if (problem::find_built_in_case(word) == nullptr && !word.ends_with(".ini")) continue;
     try {
-      const problem::Problem loaded = problem::load_case(
-          word, {}, problem::CaseNamingRule::from_file, problem::TimeSectionPolicy::allowed);
+      const problem::Problem loaded =
+          problem::load_case(word, {}, problem::CaseNamingRule::from_file,
+                             problem::CaseFileTimeSectionPolicy::allowed);
       for (const auto& [name, value] : loaded.system.named_constants()) {
         keys.push_back("parameters." + name + '=');
       }

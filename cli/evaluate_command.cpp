@@ -11,7 +11,7 @@
 
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "cli/command_line.hpp"
 #include "cli/program.hpp"
 #include "cli/terminal.hpp"
@@ -19,7 +19,7 @@
 #include "methods/external/density_file.hpp"
 #include "methods/external/number_table.hpp"
 #include "problem/case_file.hpp"
-#include "results/json.hpp"
+#include "results/json_conversions.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -84,9 +84,9 @@ std::vector<PhasePoint> make_grid_points(const transform::SmoothDensity& density
   return points;
 }
 
-methods::ClosedFormFile read_closed_form(const std::string& text, const std::string& where,
-                                         const std::optional<std::string>& solution,
-                                         const std::optional<std::string>& case_name) {
+methods::ClosedFormDensityFile read_closed_form(const std::string& text, const std::string& where,
+                                                const std::optional<std::string>& solution,
+                                                const std::optional<std::string>& case_name) {
   if (results::is_run_summary(text, where)) {
     return methods::read_closed_form_file(text, where,
                                           {.solution = solution, .case_name = case_name});
@@ -107,7 +107,7 @@ std::string densities_csv_text(const std::vector<PhasePoint>& points,
 
 std::string densities_json_text(const std::vector<PhasePoint>& points,
                                 const std::vector<double>& values, const std::string& file,
-                                const methods::ClosedFormFile& form) {
+                                const methods::ClosedFormDensityFile& form) {
   nlohmann::ordered_json json{{"file", file}, {"case", nullptr}, {"solution", nullptr}};
   if (form.solution) {
     json["case"] = form.problem->name;
@@ -124,7 +124,7 @@ std::string densities_json_text(const std::vector<PhasePoint>& points,
 
 }  // namespace
 
-int evaluate_command(const CommandCall& call) {
+int evaluate_command(const CommandInvocation& call) {
   namespace po = boost::program_options;
   std::vector<std::string> words;
   std::optional<std::string> at, case_name;
@@ -148,7 +148,7 @@ int evaluate_command(const CommandCall& call) {
   fs::path file = words[0];
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) file /= "summary.json";
-  const std::string where = base::sanitise(file.string());
+  const std::string where = base::to_printable_text(file.string());
   const auto form =
       read_closed_form(read_text_file(file, "the summary.json of a run, or a closed form"), where,
                        words.size() == 2 ? std::optional(words[1]) : std::nullopt, case_name);

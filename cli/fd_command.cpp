@@ -6,12 +6,12 @@
 #include "base/process/stop_request.hpp"
 #include "cli/command_line.hpp"
 #include "cli/program.hpp"
-#include "cli/shutdown.hpp"
+#include "cli/shutdown_after_signal.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/terminal.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/transient.hpp"
-#include "workflows/study/transient/report.hpp"
+#include "workflows/study/transient/report_over_time.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -28,7 +28,7 @@ TransientOptions transient_options(const Values& given) {
   TransientOptions options;
   for (const auto& [name, value] : given) {
     const auto& description = fd_fpk::transient_option_descriptions();
-    description.assign(options, *description.find(name), value, "--" + name);
+    description.assign_option_value(options, *description.find(name), value, "--" + name);
   }
   return options;
 }
@@ -39,7 +39,7 @@ TransientOptions transient_options(const Values& given) {
 int integrate_and_report(CommonCommandArguments common, const fd_fpk::FiniteVolumeOptions& options,
                          fd_fpk::TransientOptions transient, const std::string& command_line) {
   fd_fpk::validate(options, transient);
-  common.time_section = problem::TimeSectionPolicy::allowed;
+  common.time_section = problem::CaseFileTimeSectionPolicy::allowed;
   const auto problems = load_cases(common);
   if (problems.size() > 1) {
     throw InputError(fmt::format(
@@ -89,7 +89,7 @@ int integrate_and_report(CommonCommandArguments common, const fd_fpk::FiniteVolu
 
 }  // namespace
 
-int fd_command(const CommandCall& call, const methods::Solver& solver) {
+int fd_command(const CommandInvocation& call, const methods::Solver& solver) {
   CommonCommandArguments common;
   Values values = solver.default_options, transient_values;
   auto own = make_command_line_options(*solver.option_descriptions, values);
@@ -100,7 +100,7 @@ int fd_command(const CommandCall& call, const methods::Solver& solver) {
     return solve_and_report(common, {call.registry.make_method(solver, values)}, {},
                             call.command_line);
   }
-  const auto options = fd_fpk::description().read(values, "options");
+  const auto options = fd_fpk::solver_option_descriptions().read(values, "options");
   if (options.stepper == fd_fpk::StationarySolver::direct) {
     throw InputError(
         "--stepper direct with --until: a density over time requires time steps; omit --stepper");

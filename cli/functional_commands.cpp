@@ -5,7 +5,7 @@
 #include "cli/program.hpp"
 #include "cli/report_of_one_case.hpp"
 #include "workflows/study/functionals/functionals.hpp"
-#include "workflows/study/transient/comparison.hpp"
+#include "workflows/study/transient/comparison_over_time.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -95,50 +95,50 @@ examples:
 /// Runs the command of a functional of the generator.
 /// @param study function that computes the functional of one problem with the options
 template <class Options, class Study>
-int run_functional(const CommandCall& call, const char* usage,
-                   const base::Description<Options>& description, const char* out_help,
-                   const Study& study,
-                   problem::TimeSectionPolicy time_section = problem::TimeSectionPolicy::refused) {
+int run_functional(
+    const CommandInvocation& call, const char* usage,
+    const base::OptionsDescription<Options>& description, const char* out_help, const Study& study,
+    problem::CaseFileTimeSectionPolicy time_section = problem::CaseFileTimeSectionPolicy::refused) {
   OneCaseReportCommand report(call);
   report.common.time_section = time_section;
   base::Values values = description.values(Options{});
   auto own = make_command_line_options(description, values);
   own.add(make_figure_options(report.common.figures));
-  if (!report.parse(usage, own, out_help)) return kSuccess;
+  if (!report.parse_command_arguments(usage, own, out_help)) return kSuccess;
   const Options options = description.read(values, "options");
-  return report.run_and_write([&](const problem::Problem& problem, const auto& show) {
+  return report.compute_and_write_report([&](const problem::Problem& problem, const auto& show) {
     return study(problem, options, show);
   });
 }
 
 }  // namespace
 
-int spectrum_command(const CommandCall& call) {
+int spectrum_command(const CommandInvocation& call) {
   return run_functional(call, kSpectrumUsage, study::spectrum_option_descriptions(),
                         "write spectrum.json, .csv and a figure to DIR (default: no files)",
                         study::study_spectrum);
 }
 
-int sensitivity_command(const CommandCall& call) {
+int sensitivity_command(const CommandInvocation& call) {
   return run_functional(call, kSensitivityUsage, study::sensitivity_option_descriptions(),
                         "write sensitivity.json, .csv and a figure to DIR (default: no files)",
                         study::study_sensitivity);
 }
 
-bool requests_density_over_time(const CommandCall& call) {
+bool requests_density_over_time(const CommandInvocation& call) {
   return std::ranges::any_of(call.arguments, [](const std::string& argument) {
     return argument == "--until" || argument.starts_with("--until=");
   });
 }
 
-int density_over_time_command(const CommandCall& call) {
+int density_over_time_command(const CommandInvocation& call) {
   return run_functional(
       call, kOverTimeUsage, study::transient_comparison_option_descriptions(),
       "write over_time.html, .json, .csv, .nc and a figure to DIR (default: no files)",
-      study::compare_over_time, problem::TimeSectionPolicy::allowed);
+      study::compare_over_time, problem::CaseFileTimeSectionPolicy::allowed);
 }
 
-int passage_command(const CommandCall& call) {
+int passage_command(const CommandInvocation& call) {
   return run_functional(call, kPassageUsage, study::passage_option_descriptions(),
                         "write passage.json, .csv and a figure to DIR (default: no files)",
                         study::study_passage);

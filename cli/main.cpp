@@ -2,7 +2,7 @@
 #include <vector>
 
 #include "cli/program.hpp"
-#include "cli/shutdown.hpp"
+#include "cli/shutdown_after_signal.hpp"
 #include "cli/terminal.hpp"
 
 int main(int argc, char** argv) {

@@ -7,7 +7,7 @@
 #include "base/process/stop_request.hpp"
 #include "cli/command_line.hpp"
 #include "cli/program.hpp"
-#include "cli/shutdown.hpp"
+#include "cli/shutdown_after_signal.hpp"
 #include "cli/solve_and_report.hpp"
 #include "cli/terminal.hpp"
 #include "methods/mcs.hpp"
@@ -38,14 +38,14 @@ void refuse_control_variates(const base::Values& values) {
 int simulate_streams_of_rank(const CommonCommandArguments& common,
                              const methods::Method& simulation) {
   for (const auto& problem : load_cases(common)) {
-    methods::solve_with_method(simulation, problem, {compare::comparison_axes(problem), {}});
+    methods::solve_with_method(simulation, problem, {compare::comparison_bins(problem), {}});
   }
   return kSuccess;
 }
 
 }  // namespace
 
-int mcs_command(const CommandCall& call, const methods::Solver& solver) {
+int mcs_command(const CommandInvocation& call, const methods::Solver& solver) {
   CommonCommandArguments common;
   base::Values values = solver.default_options;
   methods::SimulationRuntimeSettings control{

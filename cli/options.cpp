@@ -7,7 +7,7 @@
 
 #include "base/input_error.hpp"
 #include "base/text/parse_number.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 
 namespace fpkcheck::cli {
 
@@ -30,7 +30,7 @@ std::vector<int> parse_integers(const std::string& option, const std::string& li
     const auto value = base::parse_number<int>(item);
     if (!value) {
       throw InputError(fmt::format("{} {}: {} is not a valid integer; use a list such as 2,4,6",
-                                   option, base::sanitise(list), base::in_quotes(item)));
+                                   option, base::to_printable_text(list), base::in_quotes(item)));
     }
     if (std::ranges::find(result, *value) == result.end()) result.push_back(*value);
   }
@@ -80,7 +80,7 @@ void add_option(const Parameter& parameter, const Value* default_value, Values& 
   semantic->notifier([&values, parameter, label](const std::string& text) {
     const Value value = base::parse_value(parameter, text, label);
     if (!parameter.is_in_range(value)) {
-      throw InputError(fmt::format("{} {} (must be {})", label, base::sanitise(text),
+      throw InputError(fmt::format("{} {} (must be {})", label, base::to_printable_text(text),
                                    parameter.requirement_text()));
     }
     set_option_value(values, parameter.name, value);
@@ -94,7 +94,7 @@ std::vector<FigureFormat> parse_figure_formats(const std::string& list) {
     const auto format = base::enum_from_name<FigureFormat>(item);
     if (!format) {
       throw InputError(fmt::format("--figures {}: {} is not a format; use png, svg, pdf or tex",
-                                   base::sanitise(list), base::in_quotes(item)));
+                                   base::to_printable_text(list), base::in_quotes(item)));
     }
     formats.push_back(*format);
   }
@@ -112,7 +112,7 @@ FigureWidth parse_figure_width(const std::string& text) {
 
 }  // namespace
 
-po::options_description make_command_line_options(const base::DescriptionBase& description,
+po::options_description make_command_line_options(const base::OptionsDescriptionBase& description,
                                                   Values& values) {
   po::options_description options;
   for (const auto& parameter : description.parameters()) {
@@ -125,7 +125,7 @@ po::options_description make_command_line_options(const base::DescriptionBase& d
   return options;
 }
 
-po::options_description make_command_line_options(const base::DescriptionBase& description,
+po::options_description make_command_line_options(const base::OptionsDescriptionBase& description,
                                                   const std::vector<std::string>& names,
                                                   Values& given) {
   po::options_description options;

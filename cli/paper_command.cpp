@@ -7,9 +7,9 @@
 #include "cli/terminal.hpp"
 #include "problem/case_file.hpp"
 #include "workflows/paper/claims.hpp"
+#include "workflows/paper/claims_supplement.hpp"
 #include "workflows/paper/claims_table.hpp"
 #include "workflows/paper/judge_claims.hpp"
-#include "workflows/paper/supplement.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -45,7 +45,7 @@ RunSupplement make_claims_supplement(const results::Run& run, report::FigureWidt
       .json = paper::summary_json_with_claims(judgements, run),
       .failures = {}};
   for (const auto& judgement : judgements) {
-    if (judgement.outcome != paper::ClaimOutcome::unjudged) continue;
+    if (judgement.outcome != paper::PaperClaimOutcome::unjudged) continue;
     supplement.failures.push_back(fmt::format("case {}: '{}' was not judged: {}",
                                               paper::claim_cases_text(judgement.claim),
                                               claim_text(judgement.claim), judgement.note));
@@ -55,7 +55,7 @@ RunSupplement make_claims_supplement(const results::Run& run, report::FigureWidt
 
 }  // namespace
 
-int paper_command(const CommandCall& call) {
+int paper_command(const CommandInvocation& call) {
   CommonCommandArguments common;
   base::Values given;
   auto options = make_solver_run_options(call.registry, given);

@@ -15,9 +15,9 @@
 
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "cli/help.hpp"
-#include "cli/shutdown.hpp"
+#include "cli/shutdown_after_signal.hpp"
 #include "cli/terminal.hpp"
 #include "fd_fpk/solve.hpp"
 #include "methods/builtin_solvers.hpp"
@@ -48,7 +48,7 @@ using Arguments = std::vector<std::string>;
 struct Command {
   std::string name;
   std::string summary;
-  std::function<int(const CommandCall&)> run;
+  std::function<int(const CommandInvocation&)> run;
 };
 
 Command make_solver_command(const methods::Solver& solver) {
@@ -56,7 +56,7 @@ Command make_solver_command(const methods::Solver& solver) {
                    : solver.name == "mcs" ? mcs_command
                                           : solver_command;
   return {solver.name, solver.summary,
-          [&solver, run](const CommandCall& call) { return run(call, solver); }};
+          [&solver, run](const CommandInvocation& call) { return run(call, solver); }};
 }
 
 std::vector<Command> all_commands(const methods::SolverRegistry& registry) {
@@ -210,7 +210,7 @@ int run_program(const Arguments& arguments, const methods::SolverRegistry& regis
       throw std::runtime_error("standard output could not be written");
     }
     if (!base::stop_requested()) return exit_code;
-  } catch (const Interrupted&) {
+  } catch (const InterruptedBySignal&) {
   } catch (const InputError& error) {
     print_message(error.what());
     return kBadInput;
@@ -221,7 +221,7 @@ int run_program(const Arguments& arguments, const methods::SolverRegistry& regis
     print_message(fmt::format("stopped: {}", error.what()));
     return kFailure;
   }
-  claim_shutdown();
+  claim_shutdown_for_this_thread();
   print_message(exit_message());
   return signal_exit_code(base::requested_stop_signal());
 }

@@ -26,7 +26,7 @@ int run_program(const std::vector<std::string>& arguments);
 /// Runs the program with the methods of `registry` instead of the built-in methods.
 int run_program(const std::vector<std::string>& arguments, const methods::SolverRegistry& registry);
 
-struct CommandCall {
+struct CommandInvocation {
   std::vector<std::string> arguments;  ///< arguments after the name of the command
   std::string command_line;            ///< complete command line, stored in summary.json
   const methods::SolverRegistry& registry;
@@ -35,35 +35,35 @@ struct CommandCall {
 /// Each function NAME_command() runs the command NAME.
 /// @return an ExitCode
 /// @throws InputError for invalid input or usage, before anything is solved or written
-int run_command(const CommandCall& call);
-int paper_command(const CommandCall& call);
-int bounds_command(const CommandCall& call);
-int reference_command(const CommandCall& call);
-int study_command(const CommandCall& call);
-int passage_command(const CommandCall& call);
+int run_command(const CommandInvocation& call);
+int paper_command(const CommandInvocation& call);
+int bounds_command(const CommandInvocation& call);
+int reference_command(const CommandInvocation& call);
+int study_command(const CommandInvocation& call);
+int passage_command(const CommandInvocation& call);
 /// Returns whether the arguments of the command `run` contain --until.
-bool requests_density_over_time(const CommandCall& call);
+bool requests_density_over_time(const CommandInvocation& call);
 /// Runs the command `run --until T`, which computes densities over time.
 /// @return an ExitCode
-int density_over_time_command(const CommandCall& call);
-int spectrum_command(const CommandCall& call);
-int sensitivity_command(const CommandCall& call);
-int sweep_command(const CommandCall& call);
-int advise_command(const CommandCall& call);
-int check_command(const CommandCall& call);
-int report_command(const CommandCall& call);
-int evaluate_command(const CommandCall& call);
+int density_over_time_command(const CommandInvocation& call);
+int spectrum_command(const CommandInvocation& call);
+int sensitivity_command(const CommandInvocation& call);
+int sweep_command(const CommandInvocation& call);
+int advise_command(const CommandInvocation& call);
+int check_command(const CommandInvocation& call);
+int report_command(const CommandInvocation& call);
+int evaluate_command(const CommandInvocation& call);
 
 /// Runs the command of one solver, which solves the cases by this solver alone.
-int solver_command(const CommandCall& call, const methods::Solver& solver);
-int fd_command(const CommandCall& call, const methods::Solver& solver);
-int mcs_command(const CommandCall& call, const methods::Solver& solver);
+int solver_command(const CommandInvocation& call, const methods::Solver& solver);
+int fd_command(const CommandInvocation& call, const methods::Solver& solver);
+int mcs_command(const CommandInvocation& call, const methods::Solver& solver);
 
-struct StudySubject {
+struct StudySubcommand {
   std::string name;
   std::string summary;  ///< description of the subject in `fpkcheck study --help`
-  int (*run)(const CommandCall&);
+  int (*run)(const CommandInvocation&);
 };
-const std::vector<StudySubject>& study_subjects();
+const std::vector<StudySubcommand>& study_subjects();
 
 }  // namespace fpkcheck::cli

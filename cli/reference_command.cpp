@@ -10,7 +10,7 @@
 #include "base/process/stop_request.hpp"
 #include "cli/command_line.hpp"
 #include "cli/program.hpp"
-#include "cli/shutdown.hpp"
+#include "cli/shutdown_after_signal.hpp"
 #include "cli/terminal.hpp"
 #include "workflows/study/reference/reference.hpp"
 
@@ -31,7 +31,7 @@ examples:
 
 }  // namespace
 
-int reference_command(const CommandCall& call) {
+int reference_command(const CommandInvocation& call) {
   namespace po = boost::program_options;
   CommonCommandArguments common;
   study::ReferenceOptions options;
@@ -59,7 +59,7 @@ int reference_command(const CommandCall& call) {
   }
   for (const auto& problem : problems) study::validate(problem, options);
   const OutputDirectory directory(common.out);
-  std::vector<study::CaseReference> references;
+  std::vector<study::CaseReferenceValues> references;
   for (const auto& problem : problems) {
     if (!common.quiet) print_message(fmt::format("reference of {} ...", problem.name));
     references.push_back(study::compute_reference(problem, options));

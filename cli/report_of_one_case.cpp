@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "base/files/file_transaction.hpp"
-#include "report/figure/drawing.hpp"
+#include "report/figure/run_gnuplot.hpp"
 
 namespace fpkcheck::cli {
 namespace {

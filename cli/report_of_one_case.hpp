@@ -5,7 +5,7 @@
 #include "base/process/stopwatch.hpp"
 #include "cli/command_line.hpp"
 #include "cli/program.hpp"
-#include "cli/shutdown.hpp"
+#include "cli/shutdown_after_signal.hpp"
 #include "cli/terminal.hpp"
 #include "workflows/study/study_report.hpp"
 
@@ -15,15 +15,16 @@ namespace fpkcheck::cli {
 /// standard output, and with --out JSON, CSV and a figure as files.
 class OneCaseReportCommand {
  public:
-  explicit OneCaseReportCommand(const CommandCall& call) : call_(call) {}
+  explicit OneCaseReportCommand(const CommandInvocation& call) : call_(call) {}
 
   CommonCommandArguments common;
 
   /// Parses the arguments of the command into `common` and into the variables of the options.
   /// @param own options of the command, without the common options
   /// @return false if the help was printed because of --help
-  bool parse(const char* usage, const boost::program_options::options_description& own,
-             const char* out_help) {
+  bool parse_command_arguments(const char* usage,
+                               const boost::program_options::options_description& own,
+                               const char* out_help) {
     return parse_case_arguments(call_.arguments, usage, own, common, out_help);
   }
 
@@ -32,7 +33,7 @@ class OneCaseReportCommand {
   /// @param run function that returns the result for a problem and a progress listener
   /// @throws InputError unless there is exactly one case
   template <class Run>
-  int run_and_write(const Run& run) const {
+  int compute_and_write_report(const Run& run) const {
     const auto problems = load_cases(common);
     if (problems.size() != 1) throw InputError("this command takes one case; name it, e.g. case1");
     const OutputDirectory directory(common.out);
@@ -56,7 +57,7 @@ class OneCaseReportCommand {
  private:
   void write_output_files(const study::StudyReport& output) const;
 
-  const CommandCall& call_;
+  const CommandInvocation& call_;
   base::Stopwatch stopwatch_;
 };
 

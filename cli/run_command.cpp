@@ -63,7 +63,7 @@ std::string all_solver_names(const methods::SolverRegistry& registry) {
 
 }  // namespace
 
-int run_command(const CommandCall& call) {
+int run_command(const CommandInvocation& call) {
   if (requests_density_over_time(call)) return density_over_time_command(call);
   namespace po = boost::program_options;
   CommonCommandArguments common;
@@ -114,7 +114,7 @@ int run_command(const CommandCall& call) {
                           call.command_line);
 }
 
-int solver_command(const CommandCall& call, const methods::Solver& solver) {
+int solver_command(const CommandInvocation& call, const methods::Solver& solver) {
   CommonCommandArguments common;
   base::Values values = solver.default_options;
   auto own = make_command_line_options(*solver.option_descriptions, values);

@@ -6,16 +6,16 @@
 #include "base/process/stopwatch.hpp"
 #include "cli/command_line.hpp"
 #include "cli/program.hpp"
-#include "cli/shutdown.hpp"
+#include "cli/shutdown_after_signal.hpp"
 #include "cli/terminal.hpp"
 #include "report/figure/curve_selection.hpp"
-#include "report/report.hpp"
-#include "report/supplement.hpp"
+#include "report/report_supplement.hpp"
+#include "report/write_report.hpp"
 #include "results/saved_run.hpp"
 #include "workflows/check/baseline.hpp"
 #include "workflows/check/compare_runs.hpp"
+#include "workflows/paper/claims_supplement.hpp"
 #include "workflows/paper/judge_claims.hpp"
-#include "workflows/paper/supplement.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -48,11 +48,11 @@ void write_check_files(const std::filesystem::path& directory, const results::Ru
 
 }  // namespace
 
-int check_command(const CommandCall& call) {
+int check_command(const CommandInvocation& call) {
   const base::Stopwatch stopwatch;
   namespace po = boost::program_options;
   CommonCommandArguments common;
-  check::CheckTolerances tolerances;
+  check::BaselineCheckTolerances tolerances;
   int threads = 0;
   std::vector<std::string> paths;
   po::options_description own;
@@ -111,8 +111,8 @@ int check_command(const CommandCall& call) {
         stopwatch.seconds()));
   }
   if (common.quiet && !result.agrees_with_baseline()) {
-    print_message(fmt::format("{} of {} quantities changed", result.changed_quantities().size(),
-                              result.changes.size()));
+    print_message(fmt::format("{} of {} quantities changed",
+                              result.quantities_beyond_tolerance().size(), result.changes.size()));
   }
   return result.agrees_with_baseline() ? kSuccess : kFailure;
 }
@@ -127,7 +127,7 @@ the claims and the figures of the paper. DIR is the directory of the run. Solves
 
 }  // namespace
 
-int report_command(const CommandCall& call) {
+int report_command(const CommandInvocation& call) {
   namespace po = boost::program_options;
   std::vector<std::string> directories;
   po::options_description options("options", 96);

@@ -12,11 +12,11 @@
 #include "base/process/stop_request.hpp"
 #include "base/process/stopwatch.hpp"
 #include "cli/program.hpp"
-#include "cli/shutdown.hpp"
+#include "cli/shutdown_after_signal.hpp"
 #include "cli/terminal.hpp"
 #include "methods/case_results.hpp"
 #include "report/figure/curve_selection.hpp"
-#include "report/report.hpp"
+#include "report/write_report.hpp"
 #include "results/run_json.hpp"
 
 namespace fpkcheck::cli {
@@ -161,13 +161,13 @@ int solve_and_report(const CommonCommandArguments& common,
              [&](const results::CaseResult& case_result) { finished.store_case(case_result); },
          .poll = throw_if_interrupted});
     solved = !base::stop_requested();
-  } catch (const Interrupted&) {
+  } catch (const InterruptedBySignal&) {
   }
   progress.erase_line();
   const bool stopped = !solved;
   if (stopped) {
     run = stopped_run();
-    if (run.cases.empty()) throw Interrupted();
+    if (run.cases.empty()) throw InterruptedBySignal();
     if (common.out) {
       write_partial_report(*common.out, run);
     } else {

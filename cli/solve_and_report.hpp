@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "cli/command_line.hpp"
-#include "cli/shutdown.hpp"
-#include "methods/method.hpp"
-#include "report/report.hpp"
-#include "report/supplement.hpp"
+#include "cli/shutdown_after_signal.hpp"
+#include "methods/method_interface.hpp"
+#include "report/report_supplement.hpp"
+#include "report/write_report.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::cli {

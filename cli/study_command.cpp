@@ -5,16 +5,16 @@
 #include <string>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "cli/command_line.hpp"
 #include "cli/help.hpp"
 #include "cli/program.hpp"
 #include "cli/report_of_one_case.hpp"
 #include "fd_fpk/options.hpp"
 #include "report/text/text_layout.hpp"
-#include "workflows/study/closure_order.hpp"
-#include "workflows/study/grid.hpp"
-#include "workflows/study/regularisation.hpp"
+#include "workflows/study/closure_order_study.hpp"
+#include "workflows/study/grid_convergence_study.hpp"
+#include "workflows/study/kramers_moyal_regularisation_study.hpp"
 
 namespace fpkcheck::cli {
 namespace {
@@ -33,11 +33,11 @@ examples:
   fpkcheck study grid case1 --equation km4 --impact delta          (the equation of the closure)
 )";
 
-int study_grid_command(const CommandCall& call) {
+int study_grid_command(const CommandInvocation& call) {
   namespace po = boost::program_options;
   OneCaseReportCommand study_call(call);
   study::GridStudyOptions options;
-  const auto& grids = fd_fpk::description();
+  const auto& grids = fd_fpk::solver_option_descriptions();
   base::Values grid_values{{"equation", std::string(name(options.equation))},
                            {"impact", std::string(name(options.impact))}};
   std::string order_list;
@@ -54,21 +54,22 @@ int study_grid_command(const CommandCall& call) {
           "refinement factor of the first level; 1 is the automatic grid");
   own.add(make_solver_run_options(call.registry, options.simulation));
   own.add(make_figure_options(study_call.common.figures));
-  if (!study_call.parse(kGridUsage, own,
-                        "write study-grid.json, .csv and a figure to DIR (default: no files)"))
+  if (!study_call.parse_command_arguments(
+          kGridUsage, own, "write study-grid.json, .csv and a figure to DIR (default: no files)"))
     return kSuccess;
   fd_fpk::FiniteVolumeOptions scheme;
   for (const auto& [key, value] : grid_values) {
-    grids.assign(scheme, *grids.find(key), value, "--" + key);
+    grids.assign_option_value(scheme, *grids.find(key), value, "--" + key);
   }
   options.equation = scheme.equation;
   options.impact = scheme.impact;
   options.origin_refinement = scheme.origin_refinement;
   options.orders = parse_integers("--orders", order_list);
   study::validate(options);
-  return study_call.run_and_write([&](const problem::Problem& problem, const auto& show) {
-    return study::study_grid(problem, options, call.registry, show);
-  });
+  return study_call.compute_and_write_report(
+      [&](const problem::Problem& problem, const auto& show) {
+        return study::study_grid(problem, options, call.registry, show);
+      });
 }
 
 constexpr const char* kOrderUsage = R"(usage: fpkcheck study order CASE [options]
@@ -85,7 +86,7 @@ examples:
   fpkcheck study order case1 --formulations gaussian,gaussian-kf,moment,moment-cut
 )";
 
-int study_order_command(const CommandCall& call) {
+int study_order_command(const CommandInvocation& call) {
   namespace po = boost::program_options;
   OneCaseReportCommand study_call(call);
   std::string formulation_list, order_list;
@@ -101,15 +102,16 @@ int study_order_command(const CommandCall& call) {
           po::value(&formulation_list)->value_name("LIST")->default_value("gaussian,moment,polar"),
           formulations_help.c_str());
   own.add(make_figure_options(study_call.common.figures));
-  if (!study_call.parse(kOrderUsage, own,
-                        "write study-order.json, .csv and a figure to DIR (default: no files)"))
+  if (!study_call.parse_command_arguments(
+          kOrderUsage, own, "write study-order.json, .csv and a figure to DIR (default: no files)"))
     return kSuccess;
   const study::ClosureOrderStudyOptions options{
       parse_comma_separated_list("--formulations", formulation_list),
       parse_integers("--orders", order_list)};
-  return study_call.run_and_write([&](const problem::Problem& problem, const auto& show) {
-    return study::study_closure_orders(problem, options, call.registry, show);
-  });
+  return study_call.compute_and_write_report(
+      [&](const problem::Problem& problem, const auto& show) {
+        return study::study_closure_orders(problem, options, call.registry, show);
+      });
 }
 
 constexpr const char* kRegularisationUsage = R"(usage: fpkcheck study regularisation CASE [options]
@@ -130,13 +132,14 @@ examples:
   fpkcheck study regularisation mine.ini --set system.restitution=0.9 --out results
 )";
 
-int study_regularisation_command(const CommandCall& call) {
+int study_regularisation_command(const CommandInvocation& call) {
   OneCaseReportCommand study_call(call);
-  if (!study_call.parse(kRegularisationUsage, {},
-                        "write study-regularisation.json and .csv to DIR (default: no files)"))
+  if (!study_call.parse_command_arguments(
+          kRegularisationUsage, {},
+          "write study-regularisation.json and .csv to DIR (default: no files)"))
     return kSuccess;
-  return study_call.run_and_write([](const problem::Problem& problem, const auto& show) {
-    return study::study_regularisation(problem, show);
+  return study_call.compute_and_write_report([](const problem::Problem& problem, const auto& show) {
+    return study::study_kramers_moyal_regularisation(problem, show);
   });
 }
 
@@ -166,8 +169,8 @@ std::string study_subject_list_text() {
 
 }  // namespace
 
-const std::vector<StudySubject>& study_subjects() {
-  static const std::vector<StudySubject> subjects{
+const std::vector<StudySubcommand>& study_subjects() {
+  static const std::vector<StudySubcommand> subjects{
       {"grid",
        "grid convergence of the finite volumes: observed orders, limits, and error against cost "
        "for all methods",
@@ -180,7 +183,7 @@ const std::vector<StudySubject>& study_subjects() {
   return subjects;
 }
 
-int study_command(const CommandCall& call) {
+int study_command(const CommandInvocation& call) {
   const auto& arguments = call.arguments;
   const std::string argument = arguments.empty() ? "" : arguments.front();
   if (argument == "--help" || argument == "-h") {
@@ -192,7 +195,7 @@ int study_command(const CommandCall& call) {
         fmt::format("study without a subject; use study SUBJECT CASE with {} (see --help)",
                     study_subject_list_text()));
   }
-  const auto subject = std::ranges::find(study_subjects(), argument, &StudySubject::name);
+  const auto subject = std::ranges::find(study_subjects(), argument, &StudySubcommand::name);
   if (subject == study_subjects().end()) {
     throw InputError(fmt::format("{} is not a subject of study; use {} (see --help)",
                                  base::in_quotes(argument), study_subject_list_text()));

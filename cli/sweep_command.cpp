@@ -12,17 +12,17 @@
 #include "base/process/parallel_for.hpp"
 #include "base/process/stop_request.hpp"
 #include "base/process/stopwatch.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "cli/command_line.hpp"
 #include "cli/program.hpp"
-#include "cli/shutdown.hpp"
+#include "cli/shutdown_after_signal.hpp"
 #include "cli/terminal.hpp"
-#include "workflows/sweep/execution/forecast.hpp"
-#include "workflows/sweep/execution/shards.hpp"
 #include "workflows/sweep/execution/solve_plan.hpp"
-#include "workflows/sweep/plan/plan.hpp"
+#include "workflows/sweep/execution/solve_time_forecast.hpp"
+#include "workflows/sweep/execution/sweep_shards.hpp"
+#include "workflows/sweep/plan/sweep_plan.hpp"
 #include "workflows/sweep/report/sweep_files.hpp"
-#include "workflows/sweep/report/tables.hpp"
+#include "workflows/sweep/report/sweep_tables.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::cli {
@@ -114,7 +114,7 @@ sweep::SweepAxis parse_varied_key(const std::string& text) {
     throw InputError(
         fmt::format("--vary {}: not KEY=VALUES; write e.g. --vary "
                     "system.restitution=0.5:1:11",
-                    base::sanitise(text)));
+                    base::to_printable_text(text)));
   }
   return sweep::parse_sweep_axis(text.substr(0, equals), text.substr(equals + 1), "--vary");
 }
@@ -135,7 +135,7 @@ void add_plan_options(const std::vector<base::IniSetting>& lines,
     const auto option = std::ranges::find(options, line.key, &base::Parameter::name);
     if (option == options.end()) {
       throw InputError(fmt::format("{}: unknown key {}; known keys of [sweep]: {}", line.where,
-                                   base::in_quotes(line.section_and_key()),
+                                   base::in_quotes(line.ini_section_and_key()),
                                    fmt::join(known, ", ")));
     }
     if (contains(given, line.key)) continue;
@@ -174,7 +174,7 @@ sweep::SweepPlan make_sweep_plan(const SweepArguments& arguments,
   plan.sobol_points = arguments.points.value_or(text.points.value_or(0));
   plan.marginals = arguments.marginals;
   sweep::require_known_constants(plan.base, plan.axes);
-  plan.points = sweep::make_plan_points(plan.axes, plan.design, plan.sobol_points);
+  plan.points = sweep::make_sweep_plan_points(plan.axes, plan.design, plan.sobol_points);
 
   base::Values given = arguments.given;
   add_plan_options(text.options, registry, given);
@@ -186,7 +186,7 @@ sweep::SweepPlan make_sweep_plan(const SweepArguments& arguments,
 }
 
 void write_sweep_results(const SweepArguments& arguments, const sweep::SweepResults& results,
-                         const CommandCall& call, double seconds) {
+                         const CommandInvocation& call, double seconds) {
   const std::filesystem::path directory = *arguments.common.out;
   const base::ProcessExitBlocker in_hand;
   sweep::write_sweep_tables(directory, results, call.command_line);
@@ -207,7 +207,7 @@ void write_sweep_results(const SweepArguments& arguments, const sweep::SweepResu
                            *arguments.common.out, seconds));
 }
 
-int merge_shards(const SweepArguments& arguments, const CommandCall& call,
+int merge_shards(const SweepArguments& arguments, const CommandInvocation& call,
                  const base::Stopwatch& stopwatch) {
   if (arguments.common.cases.empty()) {
     throw InputError("--merge without a directory; name the directories of the shards");
@@ -246,13 +246,13 @@ int print_forecast(const SweepArguments& arguments, const sweep::SweepPlan& plan
 // and writes results.
 int run_sweep(const SweepArguments& arguments, const sweep::SweepPlan& plan,
               const sweep::SweepShard& shard, int threads, base::Communicator* ranks,
-              const CommandCall& call, const base::Stopwatch& stopwatch) {
+              const CommandInvocation& call, const base::Stopwatch& stopwatch) {
   const CommonCommandArguments& common = arguments.common;
   ProgressLine line(common.quiet);
   const int workers = threads * (ranks == nullptr ? 1 : ranks->process_count());
   const auto report_progress = [&](const sweep::SweepPointQueue::State& at) {
     set_exit_message(fmt::format("{} of {} points are in {}/{} (the same command continues)",
-                                 at.done, at.total, *common.out, shard.journal_name()));
+                                 at.done, at.total, *common.out, shard.shard_journal_name()));
     line.show_progress(
         {.done = at.done,
          .total = at.total,
@@ -268,8 +268,8 @@ int run_sweep(const SweepArguments& arguments, const sweep::SweepPlan& plan,
   const auto open_queue = [&]() -> sweep::JournaledPointQueue& {
     directory.emplace(common.out);
     progress.emplace(plan, *common.out, shard, report_progress);
-    report_progress(progress->state());
-    if (const auto resumed = progress->resumption_text(); !resumed.empty() && !common.quiet) {
+    report_progress(progress->point_queue_state());
+    if (const auto resumed = progress->sweep_resumption_text(); !resumed.empty() && !common.quiet) {
       print_message(resumed);
     }
     return *progress;
@@ -287,8 +287,8 @@ int run_sweep(const SweepArguments& arguments, const sweep::SweepPlan& plan,
       print_output(fmt::format(
           "Shard {} of {}: {} points in {}/{}, {:.1f} s. After all shards: fpkcheck sweep --merge "
           "{} --out {}\n",
-          shard.number, shard.of, progress->state().done, *common.out, shard.journal_name(),
-          stopwatch.seconds(), *common.out, *common.out));
+          shard.number, shard.of, progress->point_queue_state().done, *common.out,
+          shard.shard_journal_name(), stopwatch.seconds(), *common.out, *common.out));
     }
     return kSuccess;
   }
@@ -299,7 +299,7 @@ int run_sweep(const SweepArguments& arguments, const sweep::SweepPlan& plan,
 
 }  // namespace
 
-int sweep_command(const CommandCall& call) {
+int sweep_command(const CommandInvocation& call) {
   const base::Stopwatch stopwatch;
   SweepArguments arguments;
   CommonCommandArguments& common = arguments.common;

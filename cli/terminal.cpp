@@ -12,8 +12,8 @@
 #include <optional>
 #include <string_view>
 
-#include "base/text/sanitise.hpp"
-#include "cli/shutdown.hpp"
+#include "base/text/printable_text.hpp"
+#include "cli/shutdown_after_signal.hpp"
 
 namespace fpkcheck::cli {
 

@@ -28,9 +28,9 @@ bool has_marginal_over_bins(const Solution& solution, StateVariable variable,
 ///        empty
 /// @param a, b indices in `sharp` and `smooth` of the two compared marginal densities
 /// @param with_sampling_error ids of the solutions with sampling errors over uniform bins
-SolutionPairDistances compare_pair(const std::vector<SolutionMarginal>& sharp,
-                                   const std::vector<SolutionMarginal>& smooth, std::size_t a,
-                                   std::size_t b, const Solution* smooth_reference,
+SolutionPairDistances compare_pair(const std::vector<SolutionMarginalDensity>& sharp,
+                                   const std::vector<SolutionMarginalDensity>& smooth,
+                                   std::size_t a, std::size_t b, const Solution* smooth_reference,
                                    const std::set<std::string>& with_sampling_error) {
   const auto& [from, variable, one] = sharp[a];
   const auto& [to, same_variable, other] = sharp[b];
@@ -49,7 +49,7 @@ SolutionPairDistances compare_pair(const std::vector<SolutionMarginal>& sharp,
 // in `ok` solutions are of the order of the discretisation error, and Solution::min_density states
 // the most negative density.
 void clip_negative_densities(std::span<const Solution> solutions,
-                             std::vector<SolutionMarginal>& marginals) {
+                             std::vector<SolutionMarginalDensity>& marginals) {
   for (auto& [id, variable, marginal] : marginals) {
     const Solution* solution = transform::find_solution(solutions, id);
     if (solution == nullptr || !solution->has_status_ok()) continue;
@@ -79,7 +79,7 @@ std::optional<double> l1_distance_between(std::span<const SolutionPairDistances>
   return pair->distances.l1;
 }
 
-SolutionComparison compare_solutions(const ComparisonAxes& axes,
+SolutionComparison compare_solutions(const ComparisonBins& axes,
                                      std::span<const Solution> solutions) {
   SolutionComparison result;
   const Solution* smooth_reference = find_smooth_reference(solutions);
@@ -88,20 +88,20 @@ SolutionComparison compare_solutions(const ComparisonAxes& axes,
     if (&solution != smooth_reference && solution.sampling)
       with_sampling_error.insert(solution.id());
   }
-  std::vector<SolutionMarginal> over_uniform_bins;
+  std::vector<SolutionMarginalDensity> over_uniform_bins;
   for (const auto variable : transform::kVariables) {
     const auto& bins = comparison_bin_edges(axes, variable);
-    std::vector<SolutionMarginal> unmerged;
+    std::vector<SolutionMarginalDensity> unmerged;
     for (const auto& solution : solutions) {
       if (!has_marginal_over_bins(solution, variable, bins)) continue;
       unmerged.push_back({solution.id(), variable, transform::marginal(solution, variable, bins)});
     }
-    std::vector<SolutionMarginal> merged;
+    std::vector<SolutionMarginalDensity> merged;
     for (const auto& one : unmerged) {
       merged.push_back({one.solution, variable, merge_divided_bins(axes, variable, one.marginal)});
     }
     const auto smooth = smooth_reference == nullptr
-                            ? std::vector<SolutionMarginal>{}
+                            ? std::vector<SolutionMarginalDensity>{}
                             : to_smooth_bin_marginals(unmerged, solutions, *smooth_reference);
     for (std::size_t a = 0; a < unmerged.size(); ++a) {
       for (std::size_t b = a + 1; b < unmerged.size(); ++b) {

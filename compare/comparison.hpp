@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "compare/comparison_axes.hpp"
+#include "compare/comparison_bins.hpp"
 #include "compare/error_budget.hpp"
 #include "compare/pair_distances.hpp"
 #include "transform/solution.hpp"
@@ -14,9 +14,9 @@ namespace fpkcheck::compare {
 /// The pairwise distances of the solutions of a case, and the error budgets of the closures.
 struct SolutionComparison {
   /// Marginal densities over the comparison bins: first p(y) of all solutions, then p(y').
-  std::vector<SolutionMarginal> marginals;
+  std::vector<SolutionMarginalDensity> marginals;
   /// Marginal densities over smooth bins; empty unless a solution has smooth estimates.
-  std::vector<SolutionMarginal> smooth;
+  std::vector<SolutionMarginalDensity> smooth;
   std::vector<SolutionPairDistances>
       pairs;  ///< distances of all pairs of solutions in p(y) and p(y')
   std::vector<ErrorBudgetRow> budget;
@@ -27,7 +27,7 @@ struct SolutionComparison {
 /// from the smooth reference are computed over smooth bins (SolutionPairDistances).
 /// @param solutions by increasing trust. The second solution of each compared pair is more trusted
 ///   than the first solution.
-SolutionComparison compare_solutions(const ComparisonAxes& axes,
+SolutionComparison compare_solutions(const ComparisonBins& axes,
                                      std::span<const transform::Solution> solutions);
 
 }  // namespace fpkcheck::compare

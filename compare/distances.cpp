@@ -36,8 +36,9 @@ double kullback_leibler_term(double a, double b) {
   return a == 0 ? kInfinity : b * std::log(b / a) - b + a;
 }
 
-TailDistance tail_distance(const Marginal& a, const Marginal& b, double from, double to) {
-  TailDistance tail{from, to, 0, 0, 0};
+LogarithmicTailDistance tail_distance(const Marginal& a, const Marginal& b, double from,
+                                      double to) {
+  LogarithmicTailDistance tail{from, to, 0, 0, 0};
   for (std::size_t k = 0; k < b.size(); ++k) {
     if (b.density[k] < from || b.density[k] >= to) continue;
     if (a.density[k] > 0 && has_narrow_confidence_interval(a, k) &&

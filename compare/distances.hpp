@@ -2,13 +2,13 @@
 
 #include <vector>
 
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 namespace fpkcheck::compare {
 
 /// The logarithmic distance of a density a from a reference density b over the tail bins in which b
 /// is in one decade.
-struct TailDistance {
+struct LogarithmicTailDistance {
   double from;
   double to;        ///< upper limit of the decade from <= b < to
   double mean_abs;  ///< mean of |log10 a - log10 b| over the used bins; NaN without used bins
@@ -30,7 +30,7 @@ struct DensityDistances {
   /// Kullback-Leibler divergence KL(b || a) of the reference b from a; may be infinite.
   double kl;
   /// Tail distances in the decades of the reference density, from 0.1 .. 1 down to 1e-6 .. 1e-5.
-  std::vector<TailDistance> log10_tail;
+  std::vector<LogarithmicTailDistance> log10_tail;
 };
 
 /// Returns whether the 95 % confidence interval of a bin is within +-50 % of the density in the

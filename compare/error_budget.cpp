@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "compare/distances.hpp"
 #include "compare/model_chain.hpp"
 #include "compare/smooth_reference.hpp"
@@ -27,12 +27,12 @@ using transform::Status;
 constexpr double kTailFrom = 1e-5, kTailTo = 1e-3;
 constexpr std::string_view kApproximationSeparator = " + ";
 
-std::vector<std::size_t> tail_bins(const std::vector<ModelInChain>& chain) {
+std::vector<std::size_t> tail_bins(const std::vector<ModelInApproximationChain>& chain) {
   const Marginal& reference = chain.back().marginal;
   std::vector<std::size_t> bins;
   for (std::size_t k = 0; k < reference.size(); ++k) {
     if (reference.density[k] < kTailFrom || reference.density[k] >= kTailTo) continue;
-    if (std::ranges::all_of(chain, [k](const ModelInChain& node) {
+    if (std::ranges::all_of(chain, [k](const ModelInApproximationChain& node) {
           return node.marginal.density[k] > 0 && has_narrow_confidence_interval(node.marginal, k);
         })) {
       bins.push_back(k);
@@ -48,8 +48,9 @@ double tail_distance(const Marginal& a, const Marginal& b, const std::vector<std
   return sum / static_cast<double>(bins.size());
 }
 
-ErrorBudgetPart make_error_budget_part(StateVariable variable, const ModelInChain& from,
-                                       const ModelInChain& to,
+ErrorBudgetPart make_error_budget_part(StateVariable variable,
+                                       const ModelInApproximationChain& from,
+                                       const ModelInApproximationChain& to,
                                        const std::vector<std::size_t>& bins) {
   ErrorBudgetPart part{.approximations = to.approximations,
                        .from = from.id,
@@ -68,9 +69,9 @@ ErrorBudgetPart make_error_budget_part(StateVariable variable, const ModelInChai
 }
 
 ErrorBudgetRow make_error_budget_row(const Solution& closure, StateVariable variable,
-                                     const std::vector<ModelInChain>& chain) {
+                                     const std::vector<ModelInApproximationChain>& chain) {
   const auto bins = tail_bins(chain);
-  const ModelInChain &first = chain.front(), &last = chain.back();
+  const ModelInApproximationChain &first = chain.front(), &last = chain.back();
   ErrorBudgetRow row{.solution = closure.id(),
                      .variable = variable,
                      .reference = last.id,
@@ -129,13 +130,13 @@ bool ErrorBudgetPart::is_reference_error() const {
 }
 
 const ErrorBudgetPart* ErrorBudgetRow::find_budget_part(std::string_view part) const {
-  const auto found = std::ranges::find(parts, part, &ErrorBudgetPart::part_name);
+  const auto found = std::ranges::find(parts, part, &ErrorBudgetPart::error_budget_part_name);
   return found == parts.end() ? nullptr : &*found;
 }
 
-std::vector<ErrorBudgetRow> compute_error_budget(const ComparisonAxes& axes,
-                                                 std::span<const Solution> solutions,
-                                                 std::span<const SolutionMarginal> marginals) {
+std::vector<ErrorBudgetRow> compute_error_budget(
+    const ComparisonBins& axes, std::span<const Solution> solutions,
+    std::span<const SolutionMarginalDensity> marginals) {
   std::vector<ErrorBudgetRow> budget;
   for (const auto& solution : solutions) {
     if (solution.identity.role != SolutionRole::closure) continue;
@@ -181,8 +182,8 @@ std::vector<std::string> budget_part_names(std::span<const ClosureErrorBudget> b
       // order of the model chain.
       auto at = names.end();
       for (auto part = row->parts.rbegin(); part != row->parts.rend(); ++part) {
-        const auto place = std::ranges::find(names, part->part_name());
-        at = place != names.end() ? place : names.insert(at, part->part_name());
+        const auto place = std::ranges::find(names, part->error_budget_part_name());
+        at = place != names.end() ? place : names.insert(at, part->error_budget_part_name());
       }
     }
   }

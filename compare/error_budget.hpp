@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/options/enum_names.hpp"
-#include "compare/comparison_axes.hpp"
+#include "compare/comparison_bins.hpp"
 #include "compare/pair_distances.hpp"
 #include "transform/solution.hpp"
 
@@ -61,7 +61,7 @@ struct ErrorBudgetPart {
   /// (compare/smooth_reference.hpp).
   std::optional<double> standard_error{};
 
-  std::string part_name() const { return compare::name(approximations); }
+  std::string error_budget_part_name() const { return compare::name(approximations); }
   /// Returns whether this part contains only discretisation and sampling errors of the reference.
   bool is_reference_error() const;
 };
@@ -92,9 +92,9 @@ struct ErrorBudgetRow {
 /// budget has only one part, from the closure to a simulation.
 /// @param marginals marginal densities of the solutions, all over uniform bins or all over smooth
 ///        bins
-std::vector<ErrorBudgetRow> compute_error_budget(const ComparisonAxes& axes,
-                                                 std::span<const transform::Solution> solutions,
-                                                 std::span<const SolutionMarginal> marginals);
+std::vector<ErrorBudgetRow> compute_error_budget(
+    const ComparisonBins& axes, std::span<const transform::Solution> solutions,
+    std::span<const SolutionMarginalDensity> marginals);
 
 struct ClosureErrorBudget {
   std::string solution;

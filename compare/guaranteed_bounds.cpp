@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/assessment.hpp"
+#include "compare/solution_assessment.hpp"
 
 namespace fpkcheck::compare {
 namespace {

@@ -43,19 +43,19 @@ bool is_within_reference_error(const ClosureErrorBudget& budget,
 
 void add_closure_to_groups(const ClosureErrorBudget& budget,
                            const ComparedSolutionsOfCase& compared,
-                           std::vector<LimitingErrorGroup>& groups) {
+                           std::vector<ClosuresWithSameLimitingError>& groups) {
   std::map<std::string, double> parts;
   double sum = 0;
   for (const ErrorBudgetRow* row : budget.existing_budget_rows()) {
     for (const auto& part : row->parts) {
-      parts[part.part_name()] += part.l1;
+      parts[part.error_budget_part_name()] += part.l1;
       sum += part.l1;
     }
   }
   const auto largest =
       std::ranges::max_element(parts, {}, [](const auto& part) { return part.second; });
   const std::string limit = is_within_reference_error(budget, compared) ? "" : largest->first;
-  auto group = std::ranges::find(groups, limit, &LimitingErrorGroup::part);
+  auto group = std::ranges::find(groups, limit, &ClosuresWithSameLimitingError::part);
   if (group == groups.end()) group = groups.insert(group, {.part = limit, .closures = {}});
   group->closures.push_back(budget.solution);
   const double fraction = sum > 0 ? largest->second / sum : 0;
@@ -65,11 +65,11 @@ void add_closure_to_groups(const ClosureErrorBudget& budget,
 
 }  // namespace
 
-LimitingErrors find_limiting_errors(std::span<const ErrorBudgetRow> budget,
-                                    std::span<const Solution> solutions,
-                                    std::span<const SolutionPairDistances> pairs) {
+LimitingErrorsOfClosures find_limiting_errors(std::span<const ErrorBudgetRow> budget,
+                                              std::span<const Solution> solutions,
+                                              std::span<const SolutionPairDistances> pairs) {
   const ComparedSolutionsOfCase compared{solutions, pairs};
-  LimitingErrors errors;
+  LimitingErrorsOfClosures errors;
   for (const auto& closure : group_budget_by_closure(budget, solutions))
     add_closure_to_groups(closure, compared, errors.groups);
   errors.has_reference_disagreement = std::ranges::any_of(

@@ -10,7 +10,7 @@
 namespace fpkcheck::compare {
 
 /// Closures of a case whose largest error (limiting error) has the same source.
-struct LimitingErrorGroup {
+struct ClosuresWithSameLimitingError {
   /// Name of the limiting error, the largest part of the error budget of each closure after
   /// summation over y and y'. The name is empty if the distances of the closures from the reference
   /// are within the error of the reference.
@@ -20,20 +20,20 @@ struct LimitingErrorGroup {
   /// closures of the group.
   double least_fraction = 1, greatest_fraction = 0;
 
-  bool operator==(const LimitingErrorGroup&) const = default;
+  bool operator==(const ClosuresWithSameLimitingError&) const = default;
 };
 
-struct LimitingErrors {
+struct LimitingErrorsOfClosures {
   /// Groups of closures; empty without an error budget.
-  std::vector<LimitingErrorGroup> groups = {};
+  std::vector<ClosuresWithSameLimitingError> groups = {};
   /// Whether the finite-volume solution and the simulation disagree: solutions_agree() is false.
   bool has_reference_disagreement = false;
 
-  bool operator==(const LimitingErrors&) const = default;
+  bool operator==(const LimitingErrorsOfClosures&) const = default;
 };
 
-LimitingErrors find_limiting_errors(std::span<const ErrorBudgetRow> budget,
-                                    std::span<const transform::Solution> solutions,
-                                    std::span<const SolutionPairDistances> pairs);
+LimitingErrorsOfClosures find_limiting_errors(std::span<const ErrorBudgetRow> budget,
+                                              std::span<const transform::Solution> solutions,
+                                              std::span<const SolutionPairDistances> pairs);
 
 }  // namespace fpkcheck::compare

@@ -16,8 +16,8 @@ using transform::Solution;
 using transform::SolutionRole;
 using transform::StateVariable;
 
-const Marginal* find_marginal(std::span<const SolutionMarginal> marginals, const std::string& id,
-                              StateVariable variable) {
+const Marginal* find_marginal(std::span<const SolutionMarginalDensity> marginals,
+                              const std::string& id, StateVariable variable) {
   for (const auto& candidate : marginals) {
     if (candidate.solution != id || candidate.variable != variable) continue;
     const bool finite =
@@ -29,11 +29,12 @@ const Marginal* find_marginal(std::span<const SolutionMarginal> marginals, const
 
 /// Builds the chain of models. If a model has no solution, the builder adds the approximations of
 /// this model to the next model of the chain.
-class ModelChainBuilder {
+class ApproximationChainBuilder {
  public:
-  ModelChainBuilder(const ComparisonAxes& axes, std::span<const Solution> solutions,
-                    std::span<const SolutionMarginal> marginals, StateVariable variable)
-      : edges_(comparison_bin_edges(undivided_axes(axes), variable)),
+  ApproximationChainBuilder(const ComparisonBins& axes, std::span<const Solution> solutions,
+                            std::span<const SolutionMarginalDensity> marginals,
+                            StateVariable variable)
+      : edges_(comparison_bin_edges(undivided_comparison_bins(axes), variable)),
         solutions_(solutions),
         marginals_(marginals),
         variable_(variable),
@@ -91,8 +92,9 @@ class ModelChainBuilder {
     }
   }
 
-  std::vector<ModelInChain> nodes() && {
-    return full_equation_ || has_simulation_ ? std::move(nodes_) : std::vector<ModelInChain>{};
+  std::vector<ModelInApproximationChain> nodes() && {
+    return full_equation_ || has_simulation_ ? std::move(nodes_)
+                                             : std::vector<ModelInApproximationChain>{};
   }
 
  private:
@@ -109,19 +111,19 @@ class ModelChainBuilder {
     return compute_distances(transform::marginal(s, variable_, edges_), grid_limit_marginal(s)).l1;
   }
 
-  void append_model(ModelInChain node) {
+  void append_model(ModelInApproximationChain node) {
     node.approximations = std::exchange(pending_approximations_, {});
     nodes_.push_back(std::move(node));
   }
 
   std::vector<double> edges_;
   std::span<const Solution> solutions_;
-  std::span<const SolutionMarginal> marginals_;
+  std::span<const SolutionMarginalDensity> marginals_;
   StateVariable variable_;
   /// Smooth reference, whose smooth bins are the bins of all marginal densities; null for uniform
   /// bins.
   const Solution* smooth_reference_;
-  std::vector<ModelInChain> nodes_;
+  std::vector<ModelInApproximationChain> nodes_;
   std::vector<ModelApproximation> pending_approximations_;
   const Solution* full_equation_ = nullptr;
   bool has_simulation_ = false;
@@ -129,10 +131,10 @@ class ModelChainBuilder {
 
 }  // namespace
 
-std::vector<ModelInChain> make_model_chain(const ComparisonAxes& axes,
-                                           std::span<const Solution> solutions,
-                                           std::span<const SolutionMarginal> marginals,
-                                           const Solution& closure, StateVariable variable) {
+std::vector<ModelInApproximationChain> make_model_chain(
+    const ComparisonBins& axes, std::span<const Solution> solutions,
+    std::span<const SolutionMarginalDensity> marginals, const Solution& closure,
+    StateVariable variable) {
   const Marginal* marginal = find_marginal(marginals, closure.id(), variable);
   if (!marginal) return {};
   const DensityEquation equation = closure.identity.equation.value_or(DensityEquation::kf);
@@ -140,7 +142,7 @@ std::vector<ModelInChain> make_model_chain(const ComparisonAxes& axes,
   // `map`.
   const bool to_first_order = closure.identity.impact == ImpactCondition::delta;
   const ImpactCondition impact = to_first_order ? ImpactCondition::delta : ImpactCondition::map;
-  ModelChainBuilder chain(axes, solutions, marginals, variable);
+  ApproximationChainBuilder chain(axes, solutions, marginals, variable);
   chain.append_closure(closure, *marginal);
   chain.append_discretised_equation(ModelApproximation::closure, equation, impact);
   if (to_first_order)

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/comparison_axes.hpp"
+#include "compare/comparison_bins.hpp"
 #include "compare/error_budget.hpp"
 #include "compare/pair_distances.hpp"
 #include "transform/solution.hpp"
@@ -17,7 +17,7 @@ namespace fpkcheck::compare {
 inline constexpr std::string_view kGridLimitSuffix = " limit";
 
 /// One model in the chain of models from a closure to the reference, in one variable.
-struct ModelInChain {
+struct ModelInApproximationChain {
   std::string id;  ///< id of a solution, or "fd-kf limit"
   /// Approximations of the previous model that this model avoids; empty for the closure.
   std::vector<ModelApproximation> approximations;
@@ -49,10 +49,9 @@ struct ModelInChain {
 /// @param closure one of the solutions
 /// @return at least two models; an empty list if the closure has no marginal density, or if no
 /// solution of the full jump integral exists
-std::vector<ModelInChain> make_model_chain(const ComparisonAxes& axes,
-                                           std::span<const transform::Solution> solutions,
-                                           std::span<const SolutionMarginal> marginals,
-                                           const transform::Solution& closure,
-                                           transform::StateVariable variable);
+std::vector<ModelInApproximationChain> make_model_chain(
+    const ComparisonBins& axes, std::span<const transform::Solution> solutions,
+    std::span<const SolutionMarginalDensity> marginals, const transform::Solution& closure,
+    transform::StateVariable variable);
 
 }  // namespace fpkcheck::compare

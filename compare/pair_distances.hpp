@@ -6,12 +6,12 @@
 #include <string_view>
 
 #include "compare/distances.hpp"
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 namespace fpkcheck::compare {
 
 /// A marginal density of a solution over the comparison bins.
-struct SolutionMarginal {
+struct SolutionMarginalDensity {
   std::string solution;
   transform::StateVariable variable;
   transform::Marginal marginal;

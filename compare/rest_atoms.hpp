@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::compare {

@@ -18,10 +18,10 @@ const Solution* find_smooth_reference(std::span<const Solution> solutions) {
   return found == solutions.end() ? nullptr : &*found;
 }
 
-std::vector<SolutionMarginal> to_smooth_bin_marginals(std::span<const SolutionMarginal> sharp,
-                                                      std::span<const Solution> solutions,
-                                                      const Solution& smooth_reference) {
-  std::vector<SolutionMarginal> smooth;
+std::vector<SolutionMarginalDensity> to_smooth_bin_marginals(
+    std::span<const SolutionMarginalDensity> sharp, std::span<const Solution> solutions,
+    const Solution& smooth_reference) {
+  std::vector<SolutionMarginalDensity> smooth;
   for (const auto& [id, variable, marginal] : sharp) {
     const auto* estimate = transform::find_smooth_bin_estimate(smooth_reference, variable);
     if (id == smooth_reference.id()) {

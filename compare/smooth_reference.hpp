@@ -19,8 +19,8 @@ const transform::Solution* find_smooth_reference(std::span<const transform::Solu
 /// smooth reference the function returns its smooth estimates. For a density on a grid the averages
 /// are computed from the grid cells, which resolve narrow peaks better than the comparison bins.
 /// @param sharp marginal densities of the solutions over the comparison bins
-std::vector<SolutionMarginal> to_smooth_bin_marginals(
-    std::span<const SolutionMarginal> sharp, std::span<const transform::Solution> solutions,
+std::vector<SolutionMarginalDensity> to_smooth_bin_marginals(
+    std::span<const SolutionMarginalDensity> sharp, std::span<const transform::Solution> solutions,
     const transform::Solution& smooth_reference);
 
 /// Returns the standard error, to first order, of the L1 distance of a marginal density a from a

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "backward/control/control_function_fit.hpp"
-#include "backward/control/control_functions.hpp"
-#include "backward/control/generator_factors.hpp"
+#include "backward/control_variates/control_variate_fit.hpp"
+#include "backward/control_variates/control_variate_functions.hpp"
+#include "backward/control_variates/generator_factors.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
 namespace fpkcheck::control_variates {
@@ -18,7 +18,7 @@ constexpr double kLatticePointsPerDeviation = 8;
 // Extension of the velocity lattice beyond the splines, in standard deviations of the impulses.
 constexpr double kLatticeExtension = 4;
 
-std::vector<double> lattice_velocities(const mcs::SampleDepositGrid& grid) {
+std::vector<double> lattice_velocities(const mcs::SampleDepositionGrid& grid) {
   std::vector<double> v;
   for (int q = 0; q < grid.lattice_points; ++q) {
     v.push_back(grid.lattice_begin + q * grid.lattice_spacing);
@@ -51,7 +51,7 @@ std::vector<backward::SeparableFunction> EstimatedFunctionals::integrands_of_fun
 }
 
 std::vector<double> EstimatedFunctionals::functional_means_in_stream(
-    const mcs::DepositOfOneStream& stream) const {
+    const mcs::DepositedSumsOfTrajectory& stream) const {
   std::vector<double> all;
   for (const auto& [p, q] : kMoments) {
     const auto at = std::ranges::find(mcs::kRecordedMomentPowers, std::pair{p, q}) -
@@ -69,17 +69,17 @@ std::vector<double> EstimatedFunctionals::functional_means_in_stream(
   return all;
 }
 
-DepositedSumLayout make_deposited_sum_layout(const problem::Problem& problem,
-                                             const ControlVariateSplineCells& cells) {
+DepositionSplineLayout make_deposition_spline_layout(const problem::Problem& problem,
+                                                     const ControlVariateSplineCellCounts& cells) {
   const auto linear = problem::equivalent_linearisation(problem);
   const double s1 = linear.displacement_deviation, s2 = linear.velocity_deviation;
   const double deflection = problem::static_deflection(problem);
   auto splines = backward::make_control_splines(problem, {.y_cells = cells.y, .v_cells = cells.v},
-                                                backward::ControlCellWidths::equal);
-  DepositedSumLayout p{.y = std::move(splines.y_splines),
-                       .v = std::move(splines.v_splines),
-                       .grid = {},
-                       .functionals = {}};
+                                                backward::SplineCellWidthDistribution::equal);
+  DepositionSplineLayout p{.y = std::move(splines.y_splines),
+                           .v = std::move(splines.v_splines),
+                           .grid = {},
+                           .functionals = {}};
   const double y_bin = kYBinSpacing * s1, v_bin = kVBinSpacing * s2;
   constexpr int kBinHalfWidth = 2;
   const int v_half = static_cast<int>(kBinExtent / kVBinSpacing) - kBinHalfWidth;
@@ -88,7 +88,7 @@ DepositedSumLayout make_deposited_sum_layout(const problem::Problem& problem,
                           .count = static_cast<int>((deflection + kBinExtent * s1) / y_bin),
                           .from = 0};
   p.functionals.v_bins = {.first = -v_half * v_bin, .spacing = v_bin, .count = 2 * v_half + 1};
-  const double s = problem.impulses.amplitude_law().deviation(),
+  const double s = problem.impulses.amplitude_law().amplitude_standard_deviation(),
                spacing = s / kLatticePointsPerDeviation;
   const int half = static_cast<int>(std::ceil((p.v.end() + kLatticeExtension * s) / spacing));
   p.grid = {.y_knots = p.y.knots(),
@@ -102,16 +102,16 @@ DepositedSumLayout make_deposited_sum_layout(const problem::Problem& problem,
     p.grid.velocity_jumps.push_back({amplitude, probability});
   }
   // For discrete impulse laws the deposits use `velocity_jumps` instead of the lattice.
-  if (!p.grid.velocity_jumps.empty()) p.grid.lattice_points = mcs::SampleDepositGrid::kStencil;
+  if (!p.grid.velocity_jumps.empty()) p.grid.lattice_points = mcs::SampleDepositionGrid::kStencil;
   return p;
 }
 
 ControlVariateSetup make_control_variate_setup(const problem::Problem& problem,
-                                               const DepositedSumLayout& deposit_layout,
+                                               const DepositionSplineLayout& deposit_layout,
                                                double sampling_interval) {
   const auto control = backward::make_control_fit_problem(problem, deposit_layout.y,
                                                           deposit_layout.v, 1 / sampling_interval);
-  auto functions = backward::fit_control_functions(
+  auto functions = backward::fit_control_variate_functions(
       control, deposit_layout.functionals.integrands_of_functionals());
   return {.problem = problem,
           .deposit_layout = deposit_layout,

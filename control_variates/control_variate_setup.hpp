@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
-#include "backward/control/control_functions.hpp"
-#include "mcs/deposit/deposit.hpp"
+#include "backward/control_variates/control_variate_functions.hpp"
+#include "mcs/deposit/sample_deposit.hpp"
 #include "mcs/summary.hpp"
 #include "numerics/splines/quintic_bsplines.hpp"
 #include "problem/problem.hpp"
@@ -30,34 +30,35 @@ struct EstimatedFunctionals {
   /// Returns the function f of each functional E[f].
   std::vector<backward::SeparableFunction> integrands_of_functionals() const;
   /// Returns the sample mean of each functional in one stream, without control variates.
-  std::vector<double> functional_means_in_stream(const mcs::DepositOfOneStream& stream) const;
+  std::vector<double> functional_means_in_stream(
+      const mcs::DepositedSumsOfTrajectory& stream) const;
 };
 
 /// Numbers of spline cells in y and in y' of the functions h, whose images L h under the generator
 /// L are the control variates. If only moments are estimated, 40 x 88 spline cells suffice.
-struct ControlVariateSplineCells {
+struct ControlVariateSplineCellCounts {
   int y = 64, v = 100;
 };
 
 /// Layout of the sums that the simulation deposits. The layout of the sums depends on the problem
 /// and on the spline cells of the control variates.
 ///  - Splines: the default splines of the control functions
-///    (backward/control/control_function_fit.hpp).
+///    (backward/control_variates/control_variate_fit.hpp).
 ///  - Velocity lattice: spacing of an eighth of the standard deviation of the impulses.
 ///  - Smooth bins: spacing of 0.15 standard deviations of y and 0.3 standard deviations of y'. Each
 ///    bin is four spacings wide, and the bins extend to 7 standard deviations.
-struct DepositedSumLayout {
+struct DepositionSplineLayout {
   numerics::QuinticBSplines y, v;
-  mcs::SampleDepositGrid grid;
+  mcs::SampleDepositionGrid grid;
   EstimatedFunctionals functionals;
 };
-DepositedSumLayout make_deposited_sum_layout(const problem::Problem& problem,
-                                             const ControlVariateSplineCells& cells);
+DepositionSplineLayout make_deposition_spline_layout(const problem::Problem& problem,
+                                                     const ControlVariateSplineCellCounts& cells);
 
 /// Control functions and tables that turn deposited sums into estimates.
 struct ControlVariateSetup {
   problem::Problem problem;
-  DepositedSumLayout deposit_layout;
+  DepositionSplineLayout deposit_layout;
   /// Spline coefficients of the functions h of the control variates L h: column f belongs to
   /// functional f, and row i * v.size() + j to the spline product A_i(y) B_j(v).
   Eigen::MatrixXd control;
@@ -71,9 +72,9 @@ struct ControlVariateSetup {
 /// Fits the splines of the control variates.
 /// @param sampling_interval time between samples of the simulation; its reciprocal is the weight of
 ///   the impact condition in the fit
-/// @throws backward::FitFailure
+/// @throws backward::LeastSquaresFitFailure
 ControlVariateSetup make_control_variate_setup(const problem::Problem& problem,
-                                               const DepositedSumLayout& deposit_layout,
+                                               const DepositionSplineLayout& deposit_layout,
                                                double sampling_interval);
 
 }  // namespace fpkcheck::control_variates

@@ -6,7 +6,7 @@
 
 #include "backward/generator/normal_equations.hpp"
 #include "base/process/stopwatch.hpp"
-#include "control_variates/solution.hpp"
+#include "control_variates/control_variate_solution.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
@@ -26,18 +26,18 @@ constexpr double kMostBytes = 256e6;
 // simulation of about 1e7 samples. With checkpoints the number of spline cells does not depend on
 // the simulated time, so that a longer simulation can resume from the checkpoint of a shorter
 // simulation.
-ControlVariateSplineCells choose_spline_cells(const mcs::SimulationPlan& plan,
-                                              const mcs::SimulationOptions& options) {
+ControlVariateSplineCellCounts choose_spline_cells(const mcs::SimulationPlan& plan,
+                                                   const mcs::SimulationOptions& options) {
   if (!options.checkpoint.empty() || !options.resume.empty()) return {};
   constexpr double kFewSamples = 2e5, kManySamples = 1e7;
   const double samples =
       static_cast<double>(plan.rounds) * static_cast<double>(plan.samples_per_round) * plan.streams;
   if (samples < kFewSamples) return {.y = 40, .v = 88};
-  return samples < kManySamples ? ControlVariateSplineCells{}
-                                : ControlVariateSplineCells{.y = 80, .v = 176};
+  return samples < kManySamples ? ControlVariateSplineCellCounts{}
+                                : ControlVariateSplineCellCounts{.y = 80, .v = 176};
 }
 
-double lattice_bytes(const mcs::SampleDepositGrid& grid) {
+double lattice_bytes(const mcs::SampleDepositionGrid& grid) {
   return static_cast<double>(sizeof(double)) * grid.y_spline_count() * grid.lattice_points;
 }
 
@@ -69,7 +69,7 @@ transform::Solution simulate_with_control_variates(const problem::Problem& probl
   simulation.controlled = true;
   simulation.step = simulation.step.value_or(kStep);
   const mcs::SimulationPlan plan = mcs::make_simulation_plan(problem, simulation);
-  const DepositedSumLayout layout = make_deposited_sum_layout(
+  const DepositionSplineLayout layout = make_deposition_spline_layout(
       problem, options.cells.value_or(choose_spline_cells(plan, simulation)));
   if (lattice_bytes(layout.grid) * simulation.streams > kMostBytes) {
     return solve_without_control_variates(problem, options,
@@ -94,11 +94,12 @@ transform::Solution simulate_with_control_variates(const problem::Problem& probl
     solution = std::move(simulated.solution);
   } else {
     try {
-      // Since setup.get() may throw FitFailure, `simulated` is moved only after setup.get().
+      // Since setup.get() may throw LeastSquaresFitFailure, `simulated` is moved only after
+      // setup.get().
       const ControlVariateSetup fitted = setup.get();
       solution = solution_estimated_by_control_variates(
           estimate_and_check_simulation(fitted, std::move(simulated)));
-    } catch (const backward::FitFailure& why) {
+    } catch (const backward::LeastSquaresFitFailure& why) {
       solution = with_note_on_missing_control_variates(std::move(simulated.solution), why.what());
     }
   }

@@ -21,7 +21,7 @@ struct ControlVariateOptions {
   /// Numbers of spline cells of the control variates. The default is 64 x 100 cells; without
   /// checkpoints 40 x 88 if the time limit of the simulation is below 2e5 sampling intervals, and
   /// 80 x 176 above 1e7.
-  std::optional<ControlVariateSplineCells> cells{};
+  std::optional<ControlVariateSplineCellCounts> cells{};
 };
 
 /// Simulates the oscillator and fits the control variates at the same time. Returns moments and

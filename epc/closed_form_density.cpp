@@ -16,7 +16,7 @@
 #include "epc/polar/coordinates.hpp"
 #include "problem/walls.hpp"
 #include "transform/coordinate_transformation.hpp"
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 namespace fpkcheck::epc {
 namespace {
@@ -24,7 +24,7 @@ namespace {
 using transform::SmoothDensity;
 
 const problem::Problem& require_problem(const problem::Problem* problem,
-                                        const ClosedFormParameters& frame) {
+                                        const ClosedFormDensityParameters& frame) {
   if (problem != nullptr) return *problem;
   if (frame.variables == ExponentCoordinates::polar ||
       frame.variables == ExponentCoordinates::contact) {
@@ -64,7 +64,7 @@ SmoothDensity density_in_physical_variables(const ClosedFormDensity& form,
   const double constant = frame.log_constant.value_or(0);
   if (std::isfinite(frame.support)) {
     return moment::density_from_exponent(
-        q, moment::EnergyDomain(require_problem(problem, frame), frame.support), {frame.level},
+        q, moment::EnergySublevelSet(require_problem(problem, frame), frame.support), {frame.level},
         constant);
   }
   const DensityBoundingBox box = frame.box.value();
@@ -100,7 +100,7 @@ SmoothDensity density_in_polar_variables(const ClosedFormDensity& form,
 }
 
 contact::AmplitudeVelocityCoordinates contact_coordinates(const problem::Problem& problem) {
-  if (contact::force_presses_on_single_wall(problem))
+  if (contact::spring_presses_on_single_wall(problem))
     return contact::AmplitudeVelocityCoordinates(problem);
   throw InputError(
       "coordinates \"amplitude,velocity\" need one wall against which the force presses: the case "
@@ -167,7 +167,7 @@ double integrate_with_atom(const ClosedFormDensity& form, const problem::Problem
          contact_coordinates(*problem).relative_atom_probability() * std::exp(form.q(0, 0));
 }
 
-bool has_support(const ClosedFormParameters& frame) {
+bool has_support(const ClosedFormDensityParameters& frame) {
   return frame.deviations || std::isfinite(frame.support) || frame.box;
 }
 
@@ -180,7 +180,7 @@ bool can_be_normalised(const ClosedFormDensity& form) {
 SmoothDensity density_of_closed_form(const ClosedFormDensity& form,
                                      const problem::Problem* problem) {
   ClosedFormDensity whole = form;
-  ClosedFormParameters& frame = whole.frame;
+  ClosedFormDensityParameters& frame = whole.frame;
   const auto converted = problem_in_coordinates(frame.coordinates, problem);
   const problem::Problem* form_problem = converted ? &*converted : nullptr;
   const auto on_physical_axes = [&](SmoothDensity density) {

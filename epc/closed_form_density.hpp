@@ -1,8 +1,8 @@
 #pragma once
 
-#include "epc/form/closed_form.hpp"
+#include "epc/form/closed_form_parameters.hpp"
 #include "problem/problem.hpp"
-#include "transform/density.hpp"
+#include "transform/joint_density.hpp"
 
 namespace fpkcheck::epc {
 

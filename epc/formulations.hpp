@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "epc/form/evolution.hpp"
+#include "epc/form/closure_over_time.hpp"
 #include "epc/options.hpp"
 #include "epc/summary.hpp"
 #include "problem/problem.hpp"
@@ -79,7 +79,7 @@ namespace contact {
 
 /// Solves the closure for a mass that can rest in contact with a wall. The closure density is C
 /// exp(Q_n(rho, v) + confinement) divided by the energy, with an atom for the mass at rest.
-/// @pre force_presses_on_single_wall(problem)
+/// @pre spring_presses_on_single_wall(problem)
 ClosureResult solve_closure(const problem::Problem& problem, const ClosureOptions& options);
 
 }  // namespace contact

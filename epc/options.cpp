@@ -13,7 +13,7 @@ using namespace base;
 
 AdmissibleRange allowed_orders(Formulation formulation) {
   return even_integers_between(2, max_closure_order(formulation))
-      .with_appended_reason(
+      .with_reason_in_message(
           "a polynomial of odd degree rises in some direction; rounding limits the order");
 }
 
@@ -24,7 +24,7 @@ void require_order(const ClosureOptions& options) {
 }
 
 void require_equation(const ClosureOptions& options) {
-  const DensityEquation equation = effective_equation(options);
+  const DensityEquation equation = closure_density_equation(options);
   switch (options.formulation) {
     case Formulation::gaussian:
       if (equation != DensityEquation::km4_pade) return;
@@ -51,7 +51,7 @@ std::string formulation_and_variant(const ClosureOptions& options) {
   std::string text(name(options.formulation));
   if (options.formulation == Formulation::moment && options.tail == DensityTailTreatment::cut)
     text += "-cut";
-  const DensityEquation equation = effective_equation(options);
+  const DensityEquation equation = closure_density_equation(options);
   if (equation != default_equation(options.formulation)) {
     text += fmt::format("-{}", name(equation));
   }
@@ -60,10 +60,10 @@ std::string formulation_and_variant(const ClosureOptions& options) {
 
 }  // namespace
 
-const Description<ClosureOptions>& description() {
+const OptionsDescription<ClosureOptions>& solver_option_descriptions() {
   using O = ClosureOptions;
   static const auto description =
-      Description<O>("epc ")
+      OptionsDescription<O>("epc ")
           .add("order", &O::order,
                {"N", "order n of the closure, even: 2 .. 12; for moment 2 .. 16"},
                allowed_orders(Formulation::moment))
@@ -83,27 +83,27 @@ const Description<ClosureOptions>& description() {
                 "for moment: confined (default): a steep fixed term makes the exponent fall beyond "
                 "the confinement level; cut: Q_n alone, zero beyond the level"})
           .add("tolerance", &O::tolerance, {"TOL", "tolerance on the norm of the residual"},
-               positive_numbers().with_appended_reason("otherwise the iteration does not end"))
+               positive_numbers().with_reason_in_message("otherwise the iteration does not end"))
           .without_flag()
           .add("accuracy", &O::accuracy,
                {"L1",
                 "largest L1 error estimate of p(y) and of p(y') with status ok (in a run: 0.02 for "
                 "closures, 0.01 for fd)"},
-               positive_numbers().with_appended_reason("no closure is exact"))
+               positive_numbers().with_reason_in_message("no closure is exact"))
           .with_default({})
           .add("max_seconds", &O::max_seconds,
                {"S", "for moment and polar: deadline after which no new attempt at a root begins"},
                positive_numbers())
           .with_default(ClosureOptions{}.max_seconds)
           .add("max_iterations", &O::max_iterations, {"N", "largest number of Newton steps"},
-               positive_numbers().with_appended_reason("Newton's method takes at least one step"))
+               positive_numbers().with_reason_in_message("Newton's method takes at least one step"))
           .without_flag();
   return description;
 }
 
 void validate(const ClosureOptions& options) {
   require_order(options);
-  description().validate(options);
+  solver_option_descriptions().validate(options);
   require_equation(options);
   if (options.formulation != Formulation::moment &&
       options.tail != DensityTailTreatment::confined) {
@@ -126,7 +126,7 @@ DensityEquation default_equation(Formulation formulation) {
   return formulation == Formulation::gaussian ? DensityEquation::km4 : DensityEquation::kf;
 }
 
-DensityEquation effective_equation(const ClosureOptions& options) {
+DensityEquation closure_density_equation(const ClosureOptions& options) {
   return options.equation.value_or(default_equation(options.formulation));
 }
 
@@ -161,7 +161,7 @@ transform::SolutionIdentity solution_identity(const ClosureOptions& options) {
           .method = "epc",
           .formulation = formulation_and_variant(options),
           .order = options.order,
-          .equation = effective_equation(options),
+          .equation = closure_density_equation(options),
           .impact = options.formulation == Formulation::gaussian ? ImpactCondition::delta
                                                                  : ImpactCondition::map,
           .role = transform::SolutionRole::closure};

@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/options/description.hpp"
-#include "problem/model.hpp"
+#include "base/options/option_description.hpp"
+#include "problem/equation_and_impact_condition.hpp"
 #include "transform/solution_identity.hpp"
 
 /// Exponential-polynomial closure: a density C exp(Q_n) with a polynomial Q_n, whose coefficients
@@ -59,7 +59,7 @@ struct ClosureOptions {
   std::optional<DensityEquation> equation = {};  ///< equation to solve; default_equation() if empty
   DensityTailTreatment tail = DensityTailTreatment::confined;
   /// Tolerance on the norm of the residual. In the formulation `gaussian`, this norm is the largest
-  /// projection (23) in units of gaussian::projected_residual_unit. In the formulations `moment`
+  /// projection (23) in units of gaussian::unit_of_projected_residual. In the formulations `moment`
   /// and `polar`, this norm is half_plane::residual_norm.
   double tolerance = 1e-10;
   /// Largest L1 error of p(y) and of p(y') with which the caller accepts a solution as `ok`. The
@@ -73,7 +73,7 @@ struct ClosureOptions {
   double max_seconds = 20;
 };
 
-const base::Description<ClosureOptions>& description();
+const base::OptionsDescription<ClosureOptions>& solver_option_descriptions();
 
 /// @throws InputError that states the option, its value and the allowed values
 void validate(const ClosureOptions& options);
@@ -85,7 +85,7 @@ int max_closure_order(Formulation formulation);
 DensityEquation default_equation(Formulation formulation);
 
 /// Returns the equation of the options, or the default equation of the formulation.
-DensityEquation effective_equation(const ClosureOptions& options);
+DensityEquation closure_density_equation(const ClosureOptions& options);
 
 /// Returns the id of the closure solution, such as epc-gaussian-n6 or epc-moment-cut-n8. The id
 /// contains the equation only if the equation differs from the default equation.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "epc/form/polynomial.hpp"
+#include "epc/form/exponent_polynomial.hpp"
 #include "problem/problem.hpp"
 
 /// Selection policy of the closures: initial densities and weights that depend on the class of the

@@ -16,7 +16,7 @@ ClosureResult solve_formulation(const problem::Problem& problem, const ClosureOp
     case Formulation::moment:
       return moment::solve_closure(problem, options);
     case Formulation::polar:
-      return contact::force_presses_on_single_wall(problem)
+      return contact::spring_presses_on_single_wall(problem)
                  ? contact::solve_closure(problem, options)
                  : polar::solve_closure(problem, options);
   }
@@ -33,7 +33,7 @@ ClosureResult solve_closure(const problem::Problem& problem, const ClosureOption
   summary.order = options.order;
   summary.formulation = options.formulation;
   solution.identity = solution_identity(options);
-  solution.metrics = metrics(summary, summary.moments);
+  solution.metrics = solver_metrics(summary, summary.moments);
   solution.seconds = stopwatch.seconds();
   return result;
 }
@@ -56,7 +56,7 @@ std::string wall_unsupported_reason(const problem::ProblemFeatures& features) {
 // or a density on a line.
 std::string force_jump_reason(const problem::Problem& problem, const ClosureOptions& options) {
   const bool noise =
-      problem.noise.is_acting() || effective_equation(options) == DensityEquation::white;
+      problem.noise.is_acting() || closure_density_equation(options) == DensityEquation::white;
   if (noise || !problem.system.has_force_jumps()) return "";
   return "the mass sticks where the force jumps (sign): no exponential polynomial has the "
          "singular part of the law; smooth the jump: tanh(v/eps)";
@@ -69,7 +69,7 @@ std::string gaussian_unsupported_reason(const problem::Problem& problem,
   if (features.two_walls || (!features.no_wall && is_polynomial && !features.constant_damping)) {
     return "the formulation gaussian supports one wall with constant damping, or no wall";
   }
-  if (features.no_wall && effective_equation(options) == DensityEquation::kf) {
+  if (features.no_wall && closure_density_equation(options) == DensityEquation::kf) {
     return "the jump integral of the formulation gaussian needs a wall: use equation km4 or white";
   }
   return wall_unsupported_reason(features);
@@ -94,7 +94,7 @@ std::string unsupported_reason(const problem::Problem& problem, const ClosureOpt
     case Formulation::moment:
       return wall_unsupported_reason(features);
     case Formulation::polar:
-      if (contact::force_presses_on_single_wall(problem)) return "";
+      if (contact::spring_presses_on_single_wall(problem)) return "";
       return features.rests_in_contact
                  ? "with an atom, the formulation polar needs one wall against which the force "
                    "presses everywhere; use fd or mcs"

@@ -51,7 +51,7 @@ void add_frame_metrics(const ClosureSummary& summary, SolverMetricsBuilder& buil
       .add_diagnostic_metric("frame.mirrored", coordinates.mirrored);
 }
 
-void add_edge_metrics(const ClosedFormParameters& frame, SolverMetricsBuilder& builder) {
+void add_edge_metrics(const ClosedFormDensityParameters& frame, SolverMetricsBuilder& builder) {
   if (frame.deviations) {
     builder.add_diagnostic_metric("support.sigma1", frame.deviations->x1)
         .add_diagnostic_metric("support.sigma2", frame.deviations->x2);
@@ -84,7 +84,7 @@ void add_support_metrics(const ClosureSummary& summary, SolverMetricsBuilder& bu
     return;
   }
   const DensitySupportSummary& support = *summary.support;
-  const LeadingFormOfExponent& form = *summary.leading_form;
+  const ExponentBehaviourAtInfinity& form = *summary.leading_form;
   // The edge density, if close to 0, is sensitive to rounding errors of the coefficients.
   const auto add_small_density_metric = [&](const char* path, double value) {
     builder.add(
@@ -112,7 +112,7 @@ void add_support_metrics(const ClosureSummary& summary, SolverMetricsBuilder& bu
                          form.negative ? base::Value() : base::Value(form.rises_from));
 }
 
-base::Value leading_form_text(const LeadingFormOfExponent& form) {
+base::Value leading_form_text(const ExponentBehaviourAtInfinity& form) {
   return text_value(form.negative ? "negative" : "indefinite");
 }
 
@@ -126,7 +126,7 @@ base::Value leading_form_of_exponent(const ClosureSummary& summary) {
 }
 
 void add_branch_metrics(const SolutionBranch& branch, SolverMetricsBuilder& builder) {
-  if (branch.end == SolutionBranchEnd::not_followed) {
+  if (branch.end == SolutionBranchEndReason::not_followed) {
     builder.add_result_metric("branch", {});
     return;
   }
@@ -160,7 +160,8 @@ void add_half_plane_metrics(const ClosureSummary& summary, SolverMetricsBuilder&
 
 }  // namespace
 
-transform::Metrics metrics(const ClosureSummary& summary, const transform::Moments& moments) {
+transform::Metrics solver_metrics(const ClosureSummary& summary,
+                                  const transform::Moments& moments) {
   SolverMetricsBuilder builder;
   builder.add_result_metric("order", value_from_count(summary.order))
       .add_result_metric("formulation", text_value(name(summary.formulation)))

@@ -3,11 +3,11 @@
 #include <optional>
 #include <vector>
 
-#include "epc/form/closed_form.hpp"
-#include "epc/form/polynomial.hpp"
+#include "epc/form/closed_form_parameters.hpp"
+#include "epc/form/exponent_polynomial.hpp"
 #include "epc/options.hpp"
-#include "transform/metric.hpp"
 #include "transform/solution.hpp"
+#include "transform/solver_metric.hpp"
 
 namespace fpkcheck::epc {
 
@@ -21,7 +21,8 @@ struct DensitySupportSummary {
   double greatest_radius;
   double y_max, v_max;
   double edge_density;  ///< largest density on the edge, relative to the peak density
-  /// Estimated probability outside the support, by gaussian::DensitySupport::cut_off_probability
+  /// Estimated probability outside the support, by
+  /// gaussian::DensitySupport::probability_outside_support
   double cut_off;
   double y_min = 0;
 };
@@ -39,24 +40,24 @@ struct SolutionBranchPoint {
 };
 
 /// Reason why the continuation along a branch of solutions ended.
-enum class SolutionBranchEnd {
+enum class SolutionBranchEndReason {
   not_followed,  ///< branch not computed, since another attempt had found a root
   full_problem,
   white_noise,  ///< return to fraction 0, at another root of the white-noise equations
   far_away,     ///< divergence: the norm of the coefficients exceeds the limit of the continuation
   lost          ///< continuation stopped by too short steps or by the largest number of points
 };
-inline constexpr base::EnumEntry<SolutionBranchEnd> kSolutionBranchEndNames[] = {
-    {SolutionBranchEnd::not_followed, "not_followed"},
-    {SolutionBranchEnd::full_problem, "full_problem"},
-    {SolutionBranchEnd::white_noise, "white_noise"},
-    {SolutionBranchEnd::far_away, "far_away"},
-    {SolutionBranchEnd::lost, "lost"}};
-constexpr const auto& enumerator_names(SolutionBranchEnd) { return kSolutionBranchEndNames; }
-constexpr std::string_view name(SolutionBranchEnd end) { return base::name_of(end); }
+inline constexpr base::EnumEntry<SolutionBranchEndReason> kSolutionBranchEndNames[] = {
+    {SolutionBranchEndReason::not_followed, "not_followed"},
+    {SolutionBranchEndReason::full_problem, "full_problem"},
+    {SolutionBranchEndReason::white_noise, "white_noise"},
+    {SolutionBranchEndReason::far_away, "far_away"},
+    {SolutionBranchEndReason::lost, "lost"}};
+constexpr const auto& enumerator_names(SolutionBranchEndReason) { return kSolutionBranchEndNames; }
+constexpr std::string_view name(SolutionBranchEndReason end) { return base::name_of(end); }
 
 struct SolutionBranch {
-  SolutionBranchEnd end = SolutionBranchEnd::not_followed;
+  SolutionBranchEndReason end = SolutionBranchEndReason::not_followed;
   double furthest = 0;
   std::vector<SolutionBranchPoint> points;
 };
@@ -90,9 +91,9 @@ struct ClosureSummary {
   std::optional<double> condition = {};
   /// Coefficients of the polynomial Q_n in unscaled monomials, without the constant term.
   std::vector<ExponentMonomial> coefficients = {};
-  std::optional<ClosedFormParameters> frame = {};
+  std::optional<ClosedFormDensityParameters> frame = {};
   std::optional<DensitySupportSummary> support = {};
-  std::optional<LeadingFormOfExponent> leading_form =
+  std::optional<ExponentBehaviourAtInfinity> leading_form =
       {};  ///< behaviour of the exponent Q_n at infinity
   /// Distance between the densities of closure order n and n-2: sum of the L1 distances of p(y) and
   /// p(y'). If the sequence of orders converges fast, the distance between orders n and n-2
@@ -121,7 +122,7 @@ struct ClosureResult {
 /// @param moments moments in the coordinates of the polynomial Q_n, which scale the effect of a
 /// coefficient on the
 ///   density
-transform::Metrics metrics(const ClosureSummary& summary, const transform::Moments& moments);
+transform::Metrics solver_metrics(const ClosureSummary& summary, const transform::Moments& moments);
 
 // A root of the closure equations determines a density. The following limits decide whether this
 // density is accepted. docs/closure.md has the experiments that set the limits.

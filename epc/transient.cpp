@@ -31,7 +31,7 @@ std::string narrow_start_reason(const problem::Problem& problem,
                                 const problem::InitialGaussian& start,
                                 const ClosureOptions& options) {
   const bool has_impulses =
-      effective_equation(options) != DensityEquation::white && problem.impulses.is_acting();
+      closure_density_equation(options) != DensityEquation::white && problem.impulses.is_acting();
   const double impulse =
       has_impulses
           ? std::sqrt(problem.impulses.rate_times_moment(2) / problem.impulses.arrival_rate())
@@ -50,7 +50,7 @@ std::string narrow_start_reason(const problem::Problem& problem,
 std::string gaussian_transient_unsupported_reason(const problem::Problem& problem,
                                                   const problem::InitialGaussian& start,
                                                   const ClosureOptions& options) {
-  if (effective_equation(options) == DensityEquation::kf) {
+  if (closure_density_equation(options) == DensityEquation::kf) {
     return "the closure gaussian over time supports the equations km4 and white";
   }
   if (problem.time.is_acting()) {
@@ -71,7 +71,8 @@ std::string transient_unsupported_reason(const problem::Problem& problem,
     if (!reason.empty()) return reason;
   }
   if (std::string reason = unsupported_reason(problem, options); !reason.empty()) return reason;
-  if (options.formulation == Formulation::polar && contact::force_presses_on_single_wall(problem)) {
+  if (options.formulation == Formulation::polar &&
+      contact::spring_presses_on_single_wall(problem)) {
     return "the closure over time supports no mass at rest in contact; use mcs";
   }
   return "";
@@ -90,10 +91,10 @@ ClosureEvolution solve_evolution(const problem::Problem& problem, const ClosureO
   return {};
 }
 
-std::vector<transform::TransientSnapshot> make_transient_snapshots(
+std::vector<transform::TransientDensitySnapshot> make_transient_snapshots(
     const problem::Problem& problem, const ClosureEvolution& evolution,
     const TransientRequest& request) {
-  std::vector<transform::TransientSnapshot> snapshots;
+  std::vector<transform::TransientDensitySnapshot> snapshots;
   for (const ClosureSnapshot& closure : evolution.snapshots) {
     const transform::Density density =
         transform::to_physical_coordinates(problem.frame, closure.density);

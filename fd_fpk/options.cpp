@@ -35,9 +35,9 @@ void require(bool holds, const std::string& message) {
   if (!holds) throw InputError(message);
 }
 
-Description<FiniteVolumeOptions> make_description() {
+OptionsDescription<FiniteVolumeOptions> make_description() {
   using O = FiniteVolumeOptions;
-  return Description<O>("fd ")
+  return OptionsDescription<O>("fd ")
       .add("equation", &O::equation, {"E", "white, km4, km4-pade or kf"})
       .add("impact", &O::impact,
            {"I",
@@ -68,7 +68,7 @@ Description<FiniteVolumeOptions> make_description() {
       .add("nv", &O::nv,
            {"N", "even number of cells in y' (default: from equivalent linearisation)"},
            even_integers_between(kFewestAxisCells, kMostAxisCells)
-               .with_appended_reason("y' = 0 lies between two cells"))
+               .with_reason_in_message("y' = 0 lies between two cells"))
       .add("x1_max", &O::x1_max,
            {"Y", "box 0 <= y <= Y (default: wide enough for a negligible density at its end)"},
            positive_numbers())
@@ -116,15 +116,15 @@ Description<FiniteVolumeOptions> make_description() {
 
 }  // namespace
 
-const Description<FiniteVolumeOptions>& description() {
+const OptionsDescription<FiniteVolumeOptions>& solver_option_descriptions() {
   // A separate function constructs the description, because Clang 14 would destroy temporaries of
-  // the initialiser at every call of description().
+  // the initialiser at every call of solver_option_descriptions().
   static const auto description = make_description();
   return description;
 }
 
 void validate(const FiniteVolumeOptions& options) {
-  description().validate(options);
+  solver_option_descriptions().validate(options);
   require(options.impact != ImpactCondition::exact,
           "impact exact: only the simulation has this impact; use map or delta");
   const bool along = options.transport == TransportScheme::characteristics;
@@ -188,10 +188,10 @@ void require_stable_order(int order) {
   }
 }
 
-Description<TransientOptions> make_transient_description() {
+OptionsDescription<TransientOptions> make_transient_description() {
   using T = TransientOptions;
   const T defaults;
-  return Description<T>("fd ")
+  return OptionsDescription<T>("fd ")
       .add("until", &T::until,
            {"T",
             "density over time, 0 .. T, from an initial Gaussian, instead of the stationary "
@@ -237,7 +237,7 @@ Description<TransientOptions> make_transient_description() {
 
 }  // namespace
 
-const Description<TransientOptions>& transient_option_descriptions() {
+const OptionsDescription<TransientOptions>& transient_option_descriptions() {
   static const auto description = make_transient_description();
   return description;
 }

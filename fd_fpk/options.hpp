@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/options/description.hpp"
-#include "problem/model.hpp"
+#include "base/options/option_description.hpp"
+#include "problem/equation_and_impact_condition.hpp"
 #include "transform/solution_identity.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -100,7 +100,7 @@ inline int transport_order(const FiniteVolumeOptions& options) {
 }
 
 /// Returns names, help texts and ranges of the options, for files and for the command line.
-const base::Description<FiniteVolumeOptions>& description();
+const base::OptionsDescription<FiniteVolumeOptions>& solver_option_descriptions();
 
 /// @throws InputError for the first invalid option or invalid combination of options
 void validate(const FiniteVolumeOptions& options);
@@ -113,7 +113,7 @@ transform::SolutionIdentity solution_identity(const FiniteVolumeOptions& options
 /// Returns the options whose solution has the given id; empty for an unknown id.
 std::optional<FiniteVolumeOptions> options_of(std::string_view id);
 
-struct CellDensity;
+struct CellAveragedDensity;
 
 /// Options of the density over time, with times in the units of the problem.
 struct TransientOptions {
@@ -141,7 +141,7 @@ struct TransientOptions {
   bool periodic = false;
   /// Density at t = 0 with which the search for the periodic state starts, in place of the initial
   /// Gaussian; may be null
-  const CellDensity* periodic_guess = nullptr;
+  const CellAveragedDensity* periodic_guess = nullptr;
   /// Whether the integration continues after a snapshot with the status `inadmissible`
   bool continues_if_inadmissible = false;
   /// Function that is called with the completed fraction of the integration time; may be empty
@@ -150,7 +150,7 @@ struct TransientOptions {
 
 /// Returns names, help texts and ranges of the options of the density over time. All options of the
 /// density over time require the option --until.
-const base::Description<TransientOptions>& transient_option_descriptions();
+const base::OptionsDescription<TransientOptions>& transient_option_descriptions();
 
 /// @throws InputError for the first option that is invalid for a density over time
 void validate(const FiniteVolumeOptions& options, const TransientOptions& transient);

@@ -156,7 +156,7 @@ bool has_automatic_grid(const FiniteVolumeOptions& options) {
 // smallest density changes by less than a factor of 2 if the cells become narrower by a factor of 4
 // (`fpkcheck fd case1 --equation km4 --impact delta --set system.restitution=R --set
 // impulse.rate=LAMBDA --refinement F`, F = 0.35 .. 1.5).
-bool has_negative_limit(const FiniteVolumeOptions& options, double min_density) {
+bool has_negative_density_on_all_grids(const FiniteVolumeOptions& options, double min_density) {
   constexpr double kLimit = -1e-3;
   return options.impact == ImpactCondition::delta && min_density < kLimit;
 }

@@ -41,7 +41,7 @@ int automatic_scheme_order(const problem::Problem& problem);
 double box_edge_density_factor(const problem::Problem& problem);
 
 /// Limits of the error indicators of a density that counts as resolved by the grid.
-struct ResolutionLimits {
+struct DensityResolutionLimits {
   double min_density;  ///< smallest accepted density relative to the peak, <= 0
   double power;        ///< largest accepted |residual| of the power balance, relative to the input
 
@@ -55,14 +55,14 @@ struct ResolutionLimits {
 /// An automatic grid whose density violates kAutomaticGridResolutionLimits is refined. The limits
 /// of the refinement are stricter than the limits of the status `ok`, kStationaryResolutionLimits
 /// (stationary/status_checks.hpp), and leave a margin.
-inline constexpr ResolutionLimits kAutomaticGridResolutionLimits{.min_density = -1e-5,
-                                                                 .power = 5e-4};
+inline constexpr DensityResolutionLimits kAutomaticGridResolutionLimits{.min_density = -1e-5,
+                                                                        .power = 5e-4};
 
 /// Returns whether the densities of all grids are expected to be as negative as the density of a
 /// grid, since the impact to first order in 1-r has no nonnegative density. No finer grid is then
 /// solved to make the density nonnegative.
 /// @param min_density smallest density on the grid, relative to the peak
-bool has_negative_limit(const FiniteVolumeOptions& options, double min_density);
+bool has_negative_density_on_all_grids(const FiniteVolumeOptions& options, double min_density);
 
 /// L1 error estimate down to which an automatic grid is refined, if the time limit permits.
 inline constexpr double kAutomaticGridTargetL1Error = 1e-4;

@@ -9,7 +9,7 @@
 
 #include "base/process/stopwatch.hpp"
 #include "fd_fpk/applicability.hpp"
-#include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/operator/phase_plane_discretisation.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/error_estimate.hpp"
 #include "fd_fpk/stationary/solve_on_one_grid.hpp"
@@ -99,7 +99,7 @@ class Solver {
     if (transport == TransportScheme::upwind) {
       options.order = options.order.value_or(automatic_scheme_order(problem_));
     }
-    MotionScalesAndBox scales_and_box{.scales = scales_};
+    MotionScalesAndComputationalBox scales_and_box{.scales = scales_};
     // All grids of one solution share the computational box and the length scales that determine
     // the cell widths.
     if (!has_linearised_scales(problem_) && transport == TransportScheme::upwind) {
@@ -146,7 +146,7 @@ FiniteVolumeResult solve_stationary_density(const problem::Problem& problem,
   if (const auto& error = summary.error) {
     solution.error = {error->y_l1, error->ydot_l1, error->moments};
   }
-  solution.metrics = metrics(summary);
+  solution.metrics = solver_metrics(summary);
   return result;
 }
 

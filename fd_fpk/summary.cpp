@@ -41,7 +41,7 @@ void add_metrics(SolverMetricsBuilder& builder, const DiscretisationErrorEstimat
 
 }  // namespace
 
-transform::Metrics metrics(const FiniteVolumeSummary& summary) {
+transform::Metrics solver_metrics(const FiniteVolumeSummary& summary) {
   SolverMetricsBuilder builder;
   builder.add_result_metric("nx", value_from_count(summary.nx))
       .add_result_metric("nv", value_from_count(summary.nv))

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "fd_fpk/axis/grid.hpp"
-#include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/operator/phase_plane_discretisation.hpp"
 #include "fd_fpk/options.hpp"
-#include "transform/density.hpp"
-#include "transform/metric.hpp"
+#include "transform/joint_density.hpp"
 #include "transform/solution.hpp"
+#include "transform/solver_metric.hpp"
 
 namespace fpkcheck::fd_fpk {
 
@@ -83,8 +83,9 @@ struct FiniteVolumeSummary {
   double impact_rate = 0;
 };
 
-/// Returns the metrics in the order of summary.json, without the errors in transform::ErrorEstimate.
-transform::Metrics metrics(const FiniteVolumeSummary& summary);
+/// Returns the metrics in the order of summary.json, without the errors in
+/// transform::ErrorEstimate.
+transform::Metrics solver_metrics(const FiniteVolumeSummary& summary);
 
 struct FiniteVolumeResult {
   transform::Solution solution;  ///< solution whose density is a transform::GridDensity

@@ -13,7 +13,7 @@
 #include "fd_fpk/applicability.hpp"
 #include "fd_fpk/linear/linear_cvode.hpp"
 #include "fd_fpk/operator/impact_rate.hpp"
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
 #include "fd_fpk/operator/time_dependent_operator.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
 #include "fd_fpk/selection_policy.hpp"
@@ -83,7 +83,7 @@ DensitySnapshot make_snapshot(const problem::Problem& problem,
                     .yv = physical_mixed_moment(frame, grid, averages, transport_order(options))};
   // The potential U(y) of the spring is 0 at y = 0, whatever the origin of the wall coordinates.
   s.energy = mean_energy(spring_potential, grid, averages, transport_order(options)) -
-             spring_potential(frame.wall_x(0));
+             spring_potential(frame.wall_coordinate(0));
   const double energy_rate = mean_energy(spring_potential, grid, change, transport_order(options));
   const auto [input, dissipated] =
       problem::power_balance(problem::with_excitation_at_time(problem, time),
@@ -150,7 +150,7 @@ PlaneDiscretisation discretise_within_limit(const problem::Problem& problem,
 }
 
 // Returns the cell averages of a given density on another grid.
-Eigen::VectorXd remap_to_grid(const CellDensity& density, const PhasePlaneGrid& grid) {
+Eigen::VectorXd remap_to_grid(const CellAveragedDensity& density, const PhasePlaneGrid& grid) {
   const transform::ConservativeRemap along_x1(density.x1_faces, grid.x1.faces()),
       along_x2(density.x2_faces, grid.x2.faces());
   const auto nx = static_cast<Eigen::Index>(density.x1_faces.size()) - 1,
@@ -352,7 +352,7 @@ TransientResult solve_without_timing(const problem::Problem& problem,
     result.reason = discretisation.failure;
     return result;
   }
-  result.y_edges = transform::to_y_edges(frame, grid.x1.faces());
+  result.y_edges = transform::y_edges_from_wall_coordinates(frame, grid.x1.faces());
   result.v_edges = transform::transform_v_edges(frame, grid.x2.faces());
   const auto posed = check_well_posedness(problem, on_grid, discretisation);
   if (!posed.ill_posed_reason.empty()) {

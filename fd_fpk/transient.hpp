@@ -32,7 +32,7 @@ struct DensitySnapshot {
 };
 
 /// Cell averages of p(y, y') in the coordinates of the grid, in the order of FokkerPlanckOperator.
-struct CellDensity {
+struct CellAveragedDensity {
   std::vector<double> x1_faces, x2_faces;
   Eigen::VectorXd averages;
 };
@@ -52,7 +52,8 @@ struct TransientResult {
   long factorisations = 0;
   long rhs_evaluations = 0;
   long krylov_iterations = 0;
-  std::optional<CellDensity> periodic_state = {};  ///< density at t = 0 of the periodic state
+  /// density at t = 0 of the periodic state
+  std::optional<CellAveragedDensity> periodic_state = {};
   int periods = 0;  ///< number of periods to the periodic state; 0 without a periodic state
   double change_over_period = 0;  ///< L1 change of the density over a period of the periodic state
   /// Estimated L1 distance to the periodic state, from change_over_period and the decay of the

@@ -41,9 +41,9 @@ transform::Marginal averages_over_bins(const std::vector<double>& cell_edges,
   return marginal;
 }
 
-std::vector<transform::TransientSnapshot> make_transient_snapshots(
+std::vector<transform::TransientDensitySnapshot> make_transient_snapshots(
     const TransientResult& result, const TransientRequest& request) {
-  std::vector<transform::TransientSnapshot> snapshots;
+  std::vector<transform::TransientDensitySnapshot> snapshots;
   for (const DensitySnapshot& at : result.snapshots) {
     snapshots.push_back({.time = at.time,
                          .moments = at.moments,
@@ -121,7 +121,7 @@ transform::TransientDensities solve_transient_with_error(const problem::Problem&
       make_transient_snapshots(coarse, request),
       std::numbers::pi / problem::motion_scales(transformed).frequency, transient.snapshots);
   // Both grids have nearly the same distance to the periodic state.
-  for (transform::TransientSnapshot& s : transient.snapshots) {
+  for (transform::TransientDensitySnapshot& s : transient.snapshots) {
     if (!s.error) continue;
     s.error->y_l1 += fine.distance_to_periodic_state;
     s.error->ydot_l1 += fine.distance_to_periodic_state;

@@ -32,9 +32,9 @@ std::vector<std::string> supported_equation_names() {
 
 }  // namespace
 
-const Description<SimulationOptions>& description() {
+const OptionsDescription<SimulationOptions>& solver_option_descriptions() {
   static const auto description =
-      Description<SimulationOptions>("mcs.")
+      OptionsDescription<SimulationOptions>("mcs.")
           .add("equation", &SimulationOptions::equation,
                {"E",
                 "excitation: kf, the impulses; white, Gaussian white noise of the same "
@@ -56,7 +56,7 @@ const Description<SimulationOptions>& description() {
           .add("accuracy", &SimulationOptions::accuracy,
                {"L1",
                 "tolerance for the 99 % quantiles of the L1 sampling errors of p(y) and p(y')"},
-               positive_numbers().with_appended_reason("no simulation is exact"))
+               positive_numbers().with_reason_in_message("no simulation is exact"))
           .with_default(SimulationOptions{}.accuracy)
           .add("seed", &SimulationOptions::seed,
                {"S",
@@ -68,7 +68,7 @@ const Description<SimulationOptions>& description() {
                closed_interval(1, kMostThreads))
           .add("streams", &SimulationOptions::streams, {"N", "number of independent streams"},
                closed_interval(kFewestStreams, kMostStreams)
-                   .with_appended_reason(
+                   .with_reason_in_message(
                        "standard errors come from the differences between streams"))
           .add("step", &SimulationOptions::step,
                {"RAD", "longest Taylor step, in radians of the highest frequency (default 0.9)"},
@@ -91,7 +91,7 @@ const Description<SimulationOptions>& description() {
 }
 
 void validate(const SimulationOptions& options) {
-  description().validate(options);
+  solver_option_descriptions().validate(options);
   if (std::ranges::find(kEquations, options.equation) == std::end(kEquations)) {
     throw InputError(
         fmt::format("mcs.equation = {}: not supported by the simulation; use kf (impulses) or "

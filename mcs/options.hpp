@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/options/description.hpp"
-#include "mcs/deposit/deposit.hpp"
-#include "problem/model.hpp"
+#include "base/options/option_description.hpp"
+#include "mcs/deposit/sample_deposit.hpp"
+#include "problem/equation_and_impact_condition.hpp"
 #include "transform/solution_identity.hpp"
 
 /// Monte Carlo simulation of the impact system, paper (1)-(2), in wall coordinates
@@ -90,7 +90,7 @@ struct SimulationOptions {
   std::vector<double> v_edges{};
   /// Grid on which samples are deposited (SimulationSummary::deposits), only for `kf` without
   /// `tails`; the grid does not change any other result
-  std::optional<SampleDepositGrid> deposit{};
+  std::optional<SampleDepositionGrid> deposit{};
   /// Checkpoint file, written every half minute and at the end; if empty, no checkpoint is written.
   /// The simulation does not begin if the path cannot be written; later write errors call `warn`.
   std::string checkpoint{};
@@ -111,7 +111,7 @@ struct SimulationOptions {
   SimulationProcessGroup process_group{};
 };
 
-const base::Description<SimulationOptions>& description();
+const base::OptionsDescription<SimulationOptions>& solver_option_descriptions();
 
 /// @throws InputError in one line with the option, its value and the allowed range
 void validate(const SimulationOptions& options);

@@ -41,10 +41,10 @@ constexpr double kDecayTimes = 3;
 
 // Finds the crossings of a level in evenly spaced samples, by linear interpolation between samples.
 // A parabola through three samples finds excursions above the level between samples.
-class CrossingDetector {
+class LevelCrossingDetector {
  public:
   /// @param starts_below whether the state before the first sample is below the level
-  CrossingDetector(double level, double interval, bool starts_below = false)
+  LevelCrossingDetector(double level, double interval, bool starts_below = false)
       : level_(level), interval_(interval), starts_below_(starts_below) {}
 
   /// Calls `on_upcrossing` and `on_downcrossing` with the times of the level crossings between the
@@ -122,7 +122,7 @@ class TabulatedPotential {
 };
 
 // An energy level in wall coordinates.
-struct EnergyLevel {
+struct EnergyLevelForPassage {
   TabulatedPotential potential;
   double level;
   /// Variance of the velocity change by an impulse, if evenly spaced impulses replace white noise
@@ -135,9 +135,11 @@ class EnergyCrossingDetector {
  public:
   /// @param energy must outlive this object
   /// @param starts_below whether the state before the first recorded state is below the level
-  EnergyCrossingDetector(const EnergyLevel& energy, double round_time, double sampling_interval,
-                         bool starts_below = false)
-      : energy_(&energy), round_time_(round_time), sampling_interval_(sampling_interval) {
+  EnergyCrossingDetector(const EnergyLevelForPassage& energy, double simulated_time_per_round,
+                         double sampling_interval, bool starts_below = false)
+      : energy_(&energy),
+        round_time_(simulated_time_per_round),
+        sampling_interval_(sampling_interval) {
     if (starts_below) last_ = -1;
   }
 
@@ -186,7 +188,7 @@ class EnergyCrossingDetector {
     last_time_ = time;
   }
 
-  const EnergyLevel* energy_;
+  const EnergyLevelForPassage* energy_;
   double round_time_, sampling_interval_;
   double elapsed_ = 0, time_below_ = 0;
   std::optional<double> last_ = {};  // excess of the last state; empty before the first state
@@ -194,13 +196,14 @@ class EnergyCrossingDetector {
 };
 
 // A barrier in wall coordinates: a displacement or an energy level.
-using PassageLevel = std::variant<double, EnergyLevel>;
+using PassageLevel = std::variant<double, EnergyLevelForPassage>;
 
 // Finds the crossings of a barrier in the rounds of one stream.
-class StreamCrossings {
+class TrajectoryBarrierCrossings {
  public:
   /// @param starts_below whether the stream starts below the barrier
-  StreamCrossings(const PassageLevel& level, const SimulationPlan& plan, bool starts_below)
+  TrajectoryBarrierCrossings(const PassageLevel& level, const SimulationPlan& plan,
+                             bool starts_below)
       : detector_(make_detector(level, plan, starts_below)) {}
 
   /// Calls `on_upcrossing` and `on_downcrossing` with the times of the crossings in a round, and
@@ -210,7 +213,7 @@ class StreamCrossings {
                  const Down& on_downcrossing) {
     std::vector<double>& series = simulation.displacement_series(stream);
     std::vector<RecordedState>& states = simulation.recorded_states(stream);
-    if (auto* displacement = std::get_if<CrossingDetector>(&detector_)) {
+    if (auto* displacement = std::get_if<LevelCrossingDetector>(&detector_)) {
       for (const double y : series) displacement->add_sample(y, on_upcrossing, on_downcrossing);
     } else {
       std::get<EnergyCrossingDetector>(detector_).add_round(states, on_upcrossing, on_downcrossing);
@@ -232,14 +235,14 @@ class StreamCrossings {
   }
 
  private:
-  using Detector = std::variant<CrossingDetector, EnergyCrossingDetector>;
+  using Detector = std::variant<LevelCrossingDetector, EnergyCrossingDetector>;
   static Detector make_detector(const PassageLevel& level, const SimulationPlan& plan,
                                 bool starts_below) {
-    if (const auto* energy = std::get_if<EnergyLevel>(&level)) {
-      return EnergyCrossingDetector(*energy, plan.round_time(), plan.sampling_interval,
-                                    starts_below);
+    if (const auto* energy = std::get_if<EnergyLevelForPassage>(&level)) {
+      return EnergyCrossingDetector(*energy, plan.simulated_time_per_round(),
+                                    plan.sampling_interval, starts_below);
     }
-    return CrossingDetector(std::get<double>(level), plan.sampling_interval, starts_below);
+    return LevelCrossingDetector(std::get<double>(level), plan.sampling_interval, starts_below);
   }
 
   Detector detector_;
@@ -247,7 +250,7 @@ class StreamCrossings {
 
 // Sums over the stays of one stream below the barrier. A stay lasts from a downcrossing to the next
 // upcrossing; l is the length of a stay.
-struct StaySums {
+struct BelowBarrierSojournSums {
   double stays = 0, length = 0, square = 0;
   std::vector<double> excess;         // sums of (l - t)^+, one for each time t of the survival
   double long_stays = 0, longer = 0;  // number of stays l > t, and sum of (l - t)^+, t: hazard time
@@ -255,24 +258,26 @@ struct StaySums {
 };
 
 // Returns the ratio of two sums over all streams, with the standard error of the linearised ratio.
-ValueWithError ratio_of_sums(const std::vector<StaySums>& streams,
-                             const std::function<double(const StaySums&)>& numerator,
-                             const std::function<double(const StaySums&)>& denominator) {
+ValueWithError ratio_of_sums(
+    const std::vector<BelowBarrierSojournSums>& streams,
+    const std::function<double(const BelowBarrierSojournSums&)>& numerator,
+    const std::function<double(const BelowBarrierSojournSums&)>& denominator) {
   double top = 0, bottom = 0, square = 0;
-  for (const StaySums& s : streams) {
+  for (const BelowBarrierSojournSums& s : streams) {
     top += numerator(s);
     bottom += denominator(s);
   }
   const double value = top / bottom;
-  for (const StaySums& s : streams) square += std::pow(numerator(s) - value * denominator(s), 2);
+  for (const BelowBarrierSojournSums& s : streams)
+    square += std::pow(numerator(s) - value * denominator(s), 2);
   const auto n = static_cast<double>(streams.size());
   return {value, std::sqrt(square * n / (n - 1)) / std::abs(bottom)};
 }
 
-ValueWithError mean_time_from_stationary(const std::vector<StaySums>& streams) {
+ValueWithError mean_time_from_stationary(const std::vector<BelowBarrierSojournSums>& streams) {
   return ratio_of_sums(
-      streams, [](const StaySums& s) { return s.square / 2; },
-      [](const StaySums& s) { return s.length; });
+      streams, [](const BelowBarrierSojournSums& s) { return s.square / 2; },
+      [](const BelowBarrierSojournSums& s) { return s.length; });
 }
 
 // Returns the largest number of samples of a stream in a round, since all samples, impulses and
@@ -288,7 +293,7 @@ SimulationPlan make_passage_plan(const problem::Problem& problem, const Simulati
   const double period = 2 * std::numbers::pi / scales.frequency;
   plan.sampling_interval = period / kSamplesPerPeriod;
   // An excursion above the barrier that hits the right wall may be shorter than the sampling
-  // interval, and has a kink, which the parabola of CrossingDetector does not follow.
+  // interval, and has a kink, which the parabola of LevelCrossingDetector does not follow.
   constexpr double kSamplesToWall = 8;
   if (const auto& right = problem.system.right_wall(); right && displacement_barrier) {
     const double time_to_wall =
@@ -307,10 +312,10 @@ SimulationPlan make_passage_plan(const problem::Problem& problem, const Simulati
 }
 
 // Measures the stays of one stream below the barrier.
-class StayCounter {
+class BelowBarrierSojournCounter {
  public:
-  StayCounter(const PassageLevel& level, const SimulationPlan& plan, double hazard_time,
-              const std::vector<double>& times)
+  BelowBarrierSojournCounter(const PassageLevel& level, const SimulationPlan& plan,
+                             double hazard_time, const std::vector<double>& times)
       : crossings_(level, plan, false), hazard_time_(hazard_time), times_(times) {
     sums_.excess.resize(times.size());
   }
@@ -333,7 +338,7 @@ class StayCounter {
   }
   bool has_open_stay() const { return begin_.has_value(); }
 
-  const StaySums& sums() const { return sums_; }
+  const BelowBarrierSojournSums& sums() const { return sums_; }
 
  private:
   void end_stay(double time) {
@@ -363,43 +368,42 @@ class StayCounter {
     entered_ = time;
   }
 
-  StreamCrossings crossings_;
+  TrajectoryBarrierCrossings crossings_;
   double hazard_time_;
   const std::vector<double>& times_;
-  StaySums sums_;
+  BelowBarrierSojournSums sums_;
   std::optional<double> begin_ = {};  // begin of the present stay; empty before the first stay
   double entered_ = 0;                // time of the last crossing
   bool closing_ = false;
 };
 
-double stay_count(const std::vector<StaySums>& streams) {
+double stay_count(const std::vector<BelowBarrierSojournSums>& streams) {
   double stays = 0;
-  for (const StaySums& s : streams) stays += s.stays;
+  for (const BelowBarrierSojournSums& s : streams) stays += s.stays;
   return stays;
 }
 
 // Simulates the stationary process until the standard error is at most kGoal, and returns the sums
 // of all streams; empty if a stay lasts as long as the simulation.
-std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation,
-                                                    const PassageLevel& level, double hazard_time,
-                                                    const std::vector<double>& times,
-                                                    const SimulationOptions& options) {
-  const SimulationPlan& plan = simulation.plan();
+std::optional<std::vector<BelowBarrierSojournSums>> simulate_stays(
+    Simulation& simulation, const PassageLevel& level, double hazard_time,
+    const std::vector<double>& times, const SimulationOptions& options) {
+  const SimulationPlan& plan = simulation.plan_of_simulation();
   const auto streams = static_cast<std::size_t>(plan.streams);
-  std::vector<StayCounter> counters(streams, {level, plan, hazard_time, times});
-  const auto run_sampling_round = [&] {
-    simulation.run_sampling_round();
+  std::vector<BelowBarrierSojournCounter> counters(streams, {level, plan, hazard_time, times});
+  const auto simulate_and_sample_one_round = [&] {
+    simulation.simulate_and_sample_one_round();
     base::parallel_for(streams, plan.threads,
                        [&](std::size_t s) { counters[s].add_round(simulation, s); });
   };
   const auto all_sums = [&] {
-    std::vector<StaySums> sums;
-    for (const StayCounter& counter : counters) sums.push_back(counter.sums());
+    std::vector<BelowBarrierSojournSums> sums;
+    for (const BelowBarrierSojournCounter& counter : counters) sums.push_back(counter.sums());
     return sums;
   };
   simulation.run_burn_in();
   for (std::uint64_t round = 0; round < plan.rounds; ++round) {
-    run_sampling_round();
+    simulate_and_sample_one_round();
     if (options.progress) {
       options.progress({static_cast<double>(round + 1) / static_cast<double>(plan.rounds) / 2});
     }
@@ -410,13 +414,16 @@ std::optional<std::vector<StaySums>> simulate_stays(Simulation& simulation,
       break;
     }
   }
-  for (StayCounter& counter : counters) counter.stop_counting();
+  for (BelowBarrierSojournCounter& counter : counters) counter.stop_counting();
   const std::uint64_t most_rounds = plan.rounds;  // a stay may last as long as the simulation
   for (std::uint64_t round = 0;
-       round < most_rounds && std::ranges::any_of(counters, &StayCounter::has_open_stay); ++round) {
-    run_sampling_round();
+       round < most_rounds &&
+       std::ranges::any_of(counters, &BelowBarrierSojournCounter::has_open_stay);
+       ++round) {
+    simulate_and_sample_one_round();
   }
-  if (std::ranges::any_of(counters, &StayCounter::has_open_stay)) return std::nullopt;
+  if (std::ranges::any_of(counters, &BelowBarrierSojournCounter::has_open_stay))
+    return std::nullopt;
   return all_sums();
 }
 
@@ -428,20 +435,21 @@ std::optional<ValueWithError> simulate_passages_from_point(
     double mean, double most_time, const std::vector<double>& times,
     std::vector<ValueWithError>& survival, const SimulationOptions& options) {
   constexpr double kMostPassages = 5e3, kFewestPerStream = 4;
-  const SimulationPlan& plan = simulation.plan();
+  const SimulationPlan& plan = simulation.plan_of_simulation();
   const auto streams = static_cast<std::size_t>(plan.streams);
   const double per_stream =
       std::floor(std::min(kMostPassages, most_time / mean) / static_cast<double>(streams));
   if (per_stream < kFewestPerStream) return std::nullopt;
   const auto passages = static_cast<std::size_t>(per_stream);
   std::vector<std::vector<double>> found(streams);
-  const StreamCrossings at_start(level, plan, true);
-  std::vector<StreamCrossings> crossings(streams, at_start);
-  for (std::size_t s = 0; s < streams; ++s) simulation.restart_stream(s, start.y, start.ydot);
+  const TrajectoryBarrierCrossings at_start(level, plan, true);
+  std::vector<TrajectoryBarrierCrossings> crossings(streams, at_start);
+  for (std::size_t s = 0; s < streams; ++s)
+    simulation.restart_trajectory_stream(s, start.y, start.ydot);
   // The mean passage time from a point may be far longer than from the stationary law.
   constexpr double kMostRepetitions = 4;
   const double most_rounds =
-      kMostRepetitions * most_time / static_cast<double>(streams) / plan.round_time();
+      kMostRepetitions * most_time / static_cast<double>(streams) / plan.simulated_time_per_round();
   double rounds = 0;
   // The first sample is half an interval after the start.
   const double offset = std::holds_alternative<double>(level) ? plan.sampling_interval / 2 : 0;
@@ -450,7 +458,7 @@ std::optional<ValueWithError> simulate_passages_from_point(
       survival.clear();
       return std::nullopt;
     }
-    simulation.run_sampling_round();
+    simulation.simulate_and_sample_one_round();
     finished = 0;
     for (std::size_t s = 0; s < streams; ++s) {
       std::optional<double> passage;
@@ -460,7 +468,7 @@ std::optional<ValueWithError> simulate_passages_from_point(
       if (passage) {
         if (found[s].size() < passages) found[s].push_back(*passage);
         crossings[s] = at_start;
-        simulation.restart_stream(s, start.y, start.ydot);
+        simulation.restart_trajectory_stream(s, start.y, start.ydot);
       }
       finished += found[s].size() >= passages ? 1 : 0;
     }
@@ -491,15 +499,16 @@ std::string unsupported_barrier_reason(const problem::Problem& transformed,
                                        const transform::PassageBarrier& barrier) {
   if (!barrier.is_energy()) {
     return problem::barrier_unsupported_reason(transformed,
-                                               transformed.frame.wall_x(barrier.level));
+                                               transformed.frame.wall_coordinate(barrier.level));
   }
   return transformed.noise_factor
              ? "an energy barrier does not support noise.factor; use --displacement"
              : "";
 }
 
-EnergyLevel energy_passage_level(const problem::Problem& transformed, const SimulationPlan& plan,
-                                 const problem::MotionScales& scales, double energy) {
+EnergyLevelForPassage energy_passage_level(const problem::Problem& transformed,
+                                           const SimulationPlan& plan,
+                                           const problem::MotionScales& scales, double energy) {
   const bool even = plan.excitation.arrivals == ImpulseProcess::Arrivals::even;
   return {.potential = {transformed, scales},
           .level = transform::energy_level_in_wall_coordinates(transformed, energy),
@@ -507,7 +516,7 @@ EnergyLevel energy_passage_level(const problem::Problem& transformed, const Simu
           .has_noise = even || plan.kicks.is_acting()};
 }
 
-bool is_below(const transform::PassageStartState& state, const EnergyLevel& energy) {
+bool is_below(const transform::PassageStartState& state, const EnergyLevelForPassage& energy) {
   return state.ydot * state.ydot / 2 + energy.potential(state.y) < energy.level;
 }
 
@@ -531,14 +540,14 @@ transform::FirstPassageResult estimate_passage(const problem::Problem& problem,
   }
   const problem::MotionScales scales = problem::motion_scales(transformed);
   const bool is_energy = barrier.is_energy();
-  const double displacement = transformed.frame.wall_x(barrier.level);
+  const double displacement = transformed.frame.wall_coordinate(barrier.level);
   const SimulationPlan plan = make_passage_plan(
       transformed, options, scales, is_energy ? std::nullopt : std::optional(displacement));
   const PassageLevel level = is_energy
                                  ? energy_passage_level(transformed, plan, scales, barrier.level)
                                  : PassageLevel(displacement);
   const auto enable_records = [&](Simulation& simulation) {
-    is_energy ? simulation.enable_states() : simulation.enable_displacement_series();
+    is_energy ? simulation.enable_state_recording() : simulation.enable_displacement_recording();
   };
   Simulation stationary(transformed, plan);
   enable_records(stationary);
@@ -553,37 +562,40 @@ transform::FirstPassageResult estimate_passage(const problem::Problem& problem,
     passage.seconds = stopwatch.seconds();
     return passage;
   }
-  const std::vector<StaySums>& sums = *found;
+  const std::vector<BelowBarrierSojournSums>& sums = *found;
   // Under noise the barrier of the stays is shifted. The mean time from a state between the shifted
   // and the given barrier is 0, so that the means refer to the time below the given barrier.
-  const bool is_shifted =
-      std::holds_alternative<EnergyLevel>(level) && std::get<EnergyLevel>(level).has_noise;
-  const auto length = [is_shifted](const StaySums& s) { return is_shifted ? s.below : s.length; };
-  const auto whole = [](const StaySums& s) { return s.whole; };
+  const bool is_shifted = std::holds_alternative<EnergyLevelForPassage>(level) &&
+                          std::get<EnergyLevelForPassage>(level).has_noise;
+  const auto length = [is_shifted](const BelowBarrierSojournSums& s) {
+    return is_shifted ? s.below : s.length;
+  };
+  const auto whole = [](const BelowBarrierSojournSums& s) { return s.whole; };
   passage.mean_from_stationary = ratio_of_sums(
-      sums, [](const StaySums& s) { return s.square / 2; }, length);
+      sums, [](const BelowBarrierSojournSums& s) { return s.square / 2; }, length);
   double long_stays = 0;
-  for (const StaySums& s : sums) long_stays += s.long_stays;
+  for (const BelowBarrierSojournSums& s : sums) long_stays += s.long_stays;
   if (long_stays >= kFewestStays) {
     passage.hazard = ratio_of_sums(
-        sums, [](const StaySums& s) { return s.long_stays; },
-        [](const StaySums& s) { return s.longer; });
+        sums, [](const BelowBarrierSojournSums& s) { return s.long_stays; },
+        [](const BelowBarrierSojournSums& s) { return s.longer; });
   }
   if (!is_energy) {
     passage.rice_rate = ratio_of_sums(
-        sums, [](const StaySums& s) { return s.crossings; }, whole);
+        sums, [](const BelowBarrierSojournSums& s) { return s.crossings; }, whole);
   }
   passage.probability_below = ratio_of_sums(
-      sums, [](const StaySums& s) { return s.below; }, whole);
+      sums, [](const BelowBarrierSojournSums& s) { return s.below; }, whole);
   passage.times = times;
   for (std::size_t k = 0; k < times.size(); ++k) {
     passage.survival_from_stationary.push_back(ratio_of_sums(
-        sums, [k](const StaySums& s) { return s.excess[k]; }, length));
+        sums, [k](const BelowBarrierSojournSums& s) { return s.excess[k]; }, length));
   }
 
   start = transform::passage_start_state(
       transformed, is_energy ? std::numeric_limits<double>::infinity() : displacement, start);
-  if (start && is_energy && !is_below(*start, std::get<EnergyLevel>(level))) start.reset();
+  if (start && is_energy && !is_below(*start, std::get<EnergyLevelForPassage>(level)))
+    start.reset();
   if (start) {
     SimulationPlan from_point = plan;
     const double mean = passage.mean_from_stationary->value;

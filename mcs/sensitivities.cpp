@@ -38,7 +38,8 @@ std::vector<std::vector<double>> simulate_stream_moments(const problem::Problem&
   plan.rounds = nominal.rounds;
   Simulation simulation(problem, plan);
   simulation.run_burn_in();
-  for (std::uint64_t round = 0; round < plan.rounds; ++round) simulation.run_sampling_round();
+  for (std::uint64_t round = 0; round < plan.rounds; ++round)
+    simulation.simulate_and_sample_one_round();
   std::vector<std::vector<double>> moments;
   for (const auto& moment : kDifferentiatedMoments) {
     moments.push_back(moment_per_stream(simulation, moment.p, moment.q));
@@ -64,8 +65,8 @@ transform::MomentSensitivities estimate_sensitivities(
   SimulationOptions nominal_options = options;
   SimulationPlan nominal = make_simulation_plan(transformed, nominal_options);
   if (!options.time) {
-    const double automatic =
-        kTimeShare * static_cast<double>(nominal.rounds) * nominal.round_time() * nominal.streams;
+    const double automatic = kTimeShare * static_cast<double>(nominal.rounds) *
+                             nominal.simulated_time_per_round() * nominal.streams;
     std::size_t problems = 1;
     for (const auto& parameter : parameters) problems += parameter.terms.size();
     const double events =
@@ -106,9 +107,9 @@ transform::MomentSensitivities estimate_sensitivities(
       options.progress({static_cast<double>(k + 1) / static_cast<double>(parameters.size())});
     }
   }
-  result.details =
-      fmt::format("simulated time {:.2g} for each changed problem",
-                  static_cast<double>(nominal.rounds) * nominal.round_time() * nominal.streams);
+  result.details = fmt::format(
+      "simulated time {:.2g} for each changed problem",
+      static_cast<double>(nominal.rounds) * nominal.simulated_time_per_round() * nominal.streams);
   result.reason = short_burn_in_reason(nominal, options);
   result.status = result.reason.empty() ? Status::ok : Status::not_converged;
   result.seconds = stopwatch.seconds();

@@ -48,7 +48,7 @@ struct SamplingErrors {
 };
 
 SamplingErrors current_sampling_errors(const Simulation& simulation) {
-  const StreamWeights weights(excess_impulse_power_per_stream(simulation));
+  const TrajectoryStreamWeights weights(excess_impulse_power_per_stream(simulation));
   const auto l1 = [&](transform::StateVariable variable) {
     return expected_l1_error(estimate_marginal(simulation, weights, variable, 1).errors);
   };
@@ -72,11 +72,11 @@ struct RunProgress {
 };
 
 RunProgress current_progress(const Simulation& simulation, const SimulationOptions& options) {
-  RunProgress now{.fraction = static_cast<double>(simulation.round_count()) /
-                              static_cast<double>(simulation.plan().rounds),
+  RunProgress now{.fraction = static_cast<double>(simulation.sampling_round_count()) /
+                              static_cast<double>(simulation.plan_of_simulation().rounds),
                   .errors = {},
                   .goal_reached = false};
-  if (simulation.round_count() == 0) return now;
+  if (simulation.sampling_round_count() == 0) return now;
   now.goal_reached = options.target_error || options.samples;
   // In a simulation by several processes each process has only a part of the trajectory streams,
   // from which the sampling errors of the complete result cannot be computed.
@@ -103,14 +103,14 @@ std::optional<SimulationRunOutcome> outcome_if_finished(const Simulation& simula
                                                         const SimulationOptions& options,
                                                         const RunProgress& now) {
   if (now.goal_reached) return SimulationRunOutcome{};
-  if (simulation.round_count() >= simulation.plan().rounds) {
+  if (simulation.sampling_round_count() >= simulation.plan_of_simulation().rounds) {
     if (!options.target_error && !options.samples) return SimulationRunOutcome{};
     return SimulationRunOutcome{
         .unreached_goal_reason =
             "simulated time too short: samples or target error not reached; increase "
             "--time"};
   }
-  if (simulation.round_count() > 0 && is_simulation_stop_requested(options)) {
+  if (simulation.sampling_round_count() > 0 && is_simulation_stop_requested(options)) {
     return SimulationRunOutcome{
         .unreached_goal_reason = fmt::format("interrupted: only {:.1f} % of the simulation is "
                                              "complete",
@@ -143,10 +143,10 @@ ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
   std::vector<double> thresholds;
   for (int n = 0; n < kMostPilots; ++n) {
     const ImportanceSplitting splitting(potential, thresholds, largest);
-    simulation.set_splitting(splitting);
-    simulation.run_sampling_round();
+    simulation.set_importance_splitting(splitting);
+    simulation.simulate_and_sample_one_round();
     std::vector<double> energies(splitting.energy_bins().bin_count() + 2);
-    for (const TrajectoryStream& stream : simulation.streams()) {
+    for (const TrajectoryStream& stream : simulation.trajectory_streams()) {
       std::ranges::transform(energies, stream.record.energies, energies.begin(), std::plus{});
     }
     auto next =
@@ -179,7 +179,7 @@ SimulationRunOutcome simulate_until_goal(Simulation& simulation, const Simulatio
       checkpoints.write_final_checkpoint(fingerprint, simulation);
       return *std::move(end);
     }
-    simulation.run_sampling_round();
+    simulation.simulate_and_sample_one_round();
     checkpoints.write_checkpoint_when_due(fingerprint, simulation);
   }
 }

@@ -27,7 +27,7 @@ namespace {
 
 using transform::StateVariable;
 
-void set_moments(const Simulation& simulation, const StreamWeights& weights,
+void set_moments(const Simulation& simulation, const TrajectoryStreamWeights& weights,
                  SimulationResult& result) {
   auto& [solution, summary] = result;
   for (const auto& [p, q] : kRecordedMomentPowers) {
@@ -49,8 +49,8 @@ double mean_damping_power(const problem::System& system, const Simulation& simul
          system.rayleigh_coefficient() * moment_in_wall_coordinates(simulation, r, 0, 4);
 }
 
-/// Returns the energy lost per unit time at a wall, from TrajectoryStreamStatistics::left_energy or
-/// right_energy.
+/// Returns the energy lost per unit time at a wall, from
+/// TrajectoryStreamStatistics::left_wall_squared_impact_speeds or right_wall_squared_impact_speeds.
 double impact_loss_rate(const std::optional<problem::Wall>& wall, const Simulation& simulation,
                         double energy_sum) {
   const double rate = energy_sum / simulation.simulated_time_per_stream();
@@ -74,8 +74,10 @@ problem::PowerBalanceTerms power_balance_terms(const problem::Problem& problem,
   problem::PowerBalanceTerms terms{
       .mean_velocity = moment_in_wall_coordinates(simulation, r, 0, 1),
       .mean_square_velocity = moment_in_wall_coordinates(simulation, r, 0, 2),
-      .left_impact_loss = impact_loss_rate(system.left_wall(), simulation, r.left_energy),
-      .right_impact_loss = impact_loss_rate(system.right_wall(), simulation, r.right_energy),
+      .left_impact_loss =
+          impact_loss_rate(system.left_wall(), simulation, r.left_wall_squared_impact_speeds),
+      .right_impact_loss =
+          impact_loss_rate(system.right_wall(), simulation, r.right_wall_squared_impact_speeds),
       .mean_damping_power = mean_damping_power(system, simulation, r)};
   if (problem.noise_factor) {
     terms.mean_square_noise_factor = r.noise_factor / simulation.expected_samples_per_stream();
@@ -87,16 +89,15 @@ problem::PowerBalanceTerms power_balance_terms(const problem::Problem& problem,
 }
 
 void estimate_impacts(const problem::Problem& problem, const Simulation& simulation,
-                      const StreamWeights& weights, SimulationResult& result) {
-  result.summary.impacts_accumulate = simulation.plan().has_contact_atoms;
-  result.summary.impact_rate =
-      weights.estimate_mean(statistic_per_stream(simulation.streams(), [&](const auto& r) {
-        return r.impacts / simulation.simulated_time_per_stream();
-      }));
+                      const TrajectoryStreamWeights& weights, SimulationResult& result) {
+  result.summary.impacts_accumulate = simulation.plan_of_simulation().has_contact_atoms;
+  result.summary.impact_rate = weights.estimate_mean(statistic_of_each_stream(
+      simulation.trajectory_streams(),
+      [&](const auto& r) { return r.impacts / simulation.simulated_time_per_stream(); }));
   const auto estimate_of_streams = [&](auto of) {
-    return weights.estimate_mean(statistic_per_stream(simulation.streams(), [&](const auto& r) {
-      return of(power_balance_terms(problem, simulation, r));
-    }));
+    return weights.estimate_mean(statistic_of_each_stream(
+        simulation.trajectory_streams(),
+        [&](const auto& r) { return of(power_balance_terms(problem, simulation, r)); }));
   };
   // The weighted mean over the streams estimates a quantity that is linear in the averages of the
   // trajectory streams. Under state-dependent noise or impulses only the difference of input power
@@ -125,7 +126,7 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
 /// balances are linear in the averages, and therefore have no sampling bias. The residual of each
 /// balance is divided by the scale of the balance, averaged over all streams.
 void estimate_balances(const problem::Problem& problem, const Simulation& simulation,
-                       const StreamWeights& weights, SimulationSummary& summary) {
+                       const TrajectoryStreamWeights& weights, SimulationSummary& summary) {
   const problem::System& system = problem.system;
   // The mean force and the mean virial of a formula include the damping force.
   const auto mean_force = [&](const TrajectoryStreamStatistics& r) {
@@ -139,7 +140,7 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
                                          system.restoring_force().multiplied_by_argument())
                : r.force_y / simulation.expected_samples_per_stream();
   };
-  const SimulatedOscillator& o = simulation.plan().oscillator;
+  const SimulatedOscillator& o = simulation.plan_of_simulation().oscillator;
   const auto right_momentum = [&](const TrajectoryStreamStatistics& r) {
     return impact_momentum_rate(system.right_wall(), simulation, r.right_momentum);
   };
@@ -155,12 +156,13 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
            simulation.expected_samples_per_stream();
   };
   const auto set = [&](auto balance, std::optional<double> transform::BalanceResiduals::*member) {
-    const auto difference = weights.estimate_mean(statistic_per_stream(
-        simulation.streams(), [&](const auto& r) { return balance(r).side_difference(); }));
+    const auto difference = weights.estimate_mean(statistic_of_each_stream(
+        simulation.trajectory_streams(),
+        [&](const auto& r) { return balance(r).left_minus_right_side(); }));
     const double scale =
         weights
-            .estimate_mean(statistic_per_stream(simulation.streams(),
-                                                [&](const auto& r) { return balance(r).scale; }))
+            .estimate_mean(statistic_of_each_stream(
+                simulation.trajectory_streams(), [&](const auto& r) { return balance(r).scale; }))
             .mean;
     summary.balances.*member = difference.mean / scale;
     summary.balance_errors.*member = difference.standard_error / scale;
@@ -191,13 +193,13 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
 /// Compares the drawn impulses with the impulse law, without the weights of the trajectory streams.
 void estimate_excess_power(const Simulation& simulation, SimulationSummary& summary) {
   const auto excess = estimate_unweighted_mean(excess_impulse_power_per_stream(simulation));
-  const double input = simulation.plan().excitation.power;
+  const double input = simulation.plan_of_simulation().excitation.power;
   summary.excess_power = excess.mean / input;
   summary.excess_power_error = excess.standard_error / input;
 }
 
 /// Sets the effective numbers of samples of the plain stream averages, and the factors by which the
-/// weights (StreamWeights) reduce the variances.
+/// weights (TrajectoryStreamWeights) reduce the variances.
 void estimate_efficiency(const Simulation& simulation, SimulationResult& result) {
   const auto reduction = [&](int p, int q, double error) {
     const double ratio =
@@ -213,10 +215,10 @@ void estimate_efficiency(const Simulation& simulation, SimulationResult& result)
   summary.variance_reduction_v2 = reduction(0, 2, errors.v2);
 }
 
-double outside_fraction(const Simulation& simulation, const StreamWeights& weights) {
-  const SimulationPlan& plan = simulation.plan();
-  const auto beyond =
-      statistic_per_stream(simulation.streams(), [&](const TrajectoryStreamStatistics& record) {
+double outside_fraction(const Simulation& simulation, const TrajectoryStreamWeights& weights) {
+  const SimulationPlan& plan = simulation.plan_of_simulation();
+  const auto beyond = statistic_of_each_stream(
+      simulation.trajectory_streams(), [&](const TrajectoryStreamStatistics& record) {
         const auto rows = record.histogram.row_sums();
         const double all = std::accumulate(rows.begin(), rows.end(), 0.0);
         double inside = 0;
@@ -229,13 +231,13 @@ double outside_fraction(const Simulation& simulation, const StreamWeights& weigh
   return std::max(0.0, weights.estimate_mean(beyond).mean);
 }
 
-void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
+void estimate_atoms(const Simulation& simulation, const TrajectoryStreamWeights& weights,
                     transform::Solution& solution) {
-  if (!simulation.plan().has_contact_atoms) return;
+  if (!simulation.plan_of_simulation().has_contact_atoms) return;
   const auto add = [&](const SimulatedWall& wall, double TrajectoryStreamStatistics::*rest) {
     if (!(wall.has_impact_losses() && wall.contact_force > 0)) return;
-    const MeanEstimate p = weights.estimate_mean(
-        statistic_per_stream(simulation.streams(), [&](const TrajectoryStreamStatistics& r) {
+    const MeanEstimate p = weights.estimate_mean(statistic_of_each_stream(
+        simulation.trajectory_streams(), [&](const TrajectoryStreamStatistics& r) {
           return r.*rest / simulation.expected_samples_per_stream();
         }));
     solution.atoms.push_back({.y = wall.position,
@@ -243,11 +245,11 @@ void estimate_atoms(const Simulation& simulation, const StreamWeights& weights,
                               .standard_error = p.standard_error,
                               .error_estimate = {}});
   };
-  add(simulation.plan().oscillator.left, &TrajectoryStreamStatistics::rest_left);
-  add(simulation.plan().oscillator.right, &TrajectoryStreamStatistics::rest_right);
+  add(simulation.plan_of_simulation().oscillator.left, &TrajectoryStreamStatistics::rest_left);
+  add(simulation.plan_of_simulation().oscillator.right, &TrajectoryStreamStatistics::rest_right);
 }
 
-void estimate_densities(const Simulation& simulation, const StreamWeights& weights,
+void estimate_densities(const Simulation& simulation, const TrajectoryStreamWeights& weights,
                         SimulationResult& result) {
   auto& solution = result.solution;
   auto& summary = result.summary;
@@ -275,17 +277,17 @@ void estimate_densities(const Simulation& simulation, const StreamWeights& weigh
   summary.crossings = estimate_upcrossing_rates(simulation, weights);
   // The peaks are not estimated in two cases: white noise causes infinitely many maxima, and in a
   // mirrored frame the counted maxima are minima of y.
-  const SimulationPlan& plan = simulation.plan();
+  const SimulationPlan& plan = simulation.plan_of_simulation();
   if (!plan.kicks.is_acting() && !plan.frame.mirrored) {
     summary.peaks = estimate_peak_rates(simulation, weights);
   }
 }
 
 void fill_summary(const Simulation& simulation, SimulationSummary& summary) {
-  const SimulationPlan& plan = simulation.plan();
+  const SimulationPlan& plan = simulation.plan_of_simulation();
   summary.time = simulation.simulated_time_per_stream() * plan.streams;
-  summary.samples =
-      simulation.round_count() * plan.samples_per_round * static_cast<std::uint64_t>(plan.streams);
+  summary.samples = simulation.sampling_round_count() * plan.samples_per_round *
+                    static_cast<std::uint64_t>(plan.streams);
   summary.sampling_interval = plan.sampling_interval;
   summary.seed = plan.seed;
   summary.threads = plan.threads;
@@ -298,16 +300,16 @@ void fill_summary(const Simulation& simulation, SimulationSummary& summary) {
     summary.kick_interval = plan.kicks.longest_interval;
   }
   summary.burn_in = plan.burn_in;
-  summary.rounds = simulation.round_count();
-  for (const TrajectoryStream& stream : simulation.streams()) {
+  summary.rounds = simulation.sampling_round_count();
+  for (const TrajectoryStream& stream : simulation.trajectory_streams()) {
     summary.impulses += stream.record.impulses;
     summary.flights += stream.record.flights;
   }
 }
 
-std::vector<DepositOfOneStream> stream_deposits(const Simulation& simulation) {
-  std::vector<DepositOfOneStream> all;
-  for (const TrajectoryStream& stream : simulation.streams()) {
+std::vector<DepositedSumsOfTrajectory> stream_deposits(const Simulation& simulation) {
+  std::vector<DepositedSumsOfTrajectory> all;
+  for (const TrajectoryStream& stream : simulation.trajectory_streams()) {
     const TrajectoryStreamStatistics& record = stream.record;
     all.push_back({.sums = record.deposit,
                    .samples = record.samples,
@@ -350,7 +352,7 @@ void set_status(const SimulationPlan& plan, const SimulationOptions& options,
 
 void fill_result(const problem::Problem& problem, const Simulation& simulation,
                  SimulationResult& result) {
-  const StreamWeights weights(excess_impulse_power_per_stream(simulation));
+  const TrajectoryStreamWeights weights(excess_impulse_power_per_stream(simulation));
   result.solution.standard_errors.emplace();
   set_moments(simulation, weights, result);
   estimate_impacts(problem, simulation, weights, result);
@@ -384,7 +386,7 @@ bool gather_streams(const SimulationProcessGroup& process_group, Simulation& sim
   const auto others = process_group.gather(own.str());
   for (std::size_t k = 0; k < others.size(); ++k) {
     std::istringstream part(others[k]);
-    simulation.load_streams_of_part(part, static_cast<int>(k) + 1);
+    simulation.load_streams_of_process(part, static_cast<int>(k) + 1);
   }
   return process_group.part == 0;
 }
@@ -393,12 +395,12 @@ bool gather_streams(const SimulationProcessGroup& process_group, Simulation& sim
 /// @return whether the simulation is complete; false after a stop request
 bool run_with_doubled_kick_interval(const Simulation& simulation, const SimulationOptions& options,
                                     Simulation& doubled) {
-  doubled.restrict_to_streams_of_part(options.process_group.part, options.process_group.parts);
+  doubled.keep_streams_of_process(options.process_group.part, options.process_group.parts);
   doubled.run_burn_in();
-  const std::uint64_t rounds = (simulation.round_count() + 1) / 2;
-  while (doubled.round_count() < rounds) {
+  const std::uint64_t rounds = (simulation.sampling_round_count() + 1) / 2;
+  while (doubled.sampling_round_count() < rounds) {
     if (is_simulation_stop_requested(options)) return false;
-    doubled.run_sampling_round();
+    doubled.simulate_and_sample_one_round();
   }
   return true;
 }
@@ -429,7 +431,7 @@ void require_accuracy(const SimulationOptions& options, transform::Solution& sol
       by_interval, by_interval > by_chance ? "reduce --white-step" : "increase --time");
 }
 
-void require_solvable(const problem::Problem& problem, const SimulationOptions& options) {
+void require_valid_simulation(const problem::Problem& problem, const SimulationOptions& options) {
   [[maybe_unused]] const SimulationPlan plan = make_simulation_plan(problem, options);
   require_options_for_processes(options);
 }
@@ -455,7 +457,7 @@ SimulationResult simulate_stationary_density(const problem::Problem& problem,
   if (options.tails) splitting = choose_splitting_thresholds(problem, plan);
   const ImportanceSplitting* splits = splitting ? &*splitting : nullptr;
   Simulation simulation(problem, plan, splits);
-  simulation.restrict_to_streams_of_part(options.process_group.part, options.process_group.parts);
+  simulation.keep_streams_of_process(options.process_group.part, options.process_group.parts);
   const std::string fingerprint = mcs::simulation_fingerprint(problem, plan, splits);
   if (options.resume.empty()) {
     simulation.run_burn_in();
@@ -497,7 +499,7 @@ SimulationResult simulate_stationary_density(const problem::Problem& problem,
   }
   set_status(plan, options, summary, solution, unreached_goal_reason);
   if (!options.controlled) require_accuracy(options, solution);
-  solution.metrics = metrics(summary);
+  solution.metrics = solver_metrics(summary);
   solution.seconds = stopwatch.seconds();
   return result;
 }

@@ -20,10 +20,10 @@ struct SimulationResult {
 };
 
 /// Simulates `options.streams` independent realisations and averages the realisations with the
-/// weights of StreamWeights. The burn-in of a realisation is 20 decay times of the slowest mode. If
-/// is_duffing_at_wall(), the initial states follow the Gaussian of equivalent linearisation, folded
-/// to y >= 0. Otherwise the initial states follow the energy-averaged law, with the mass of each
-/// well (InitialStateSampler).
+/// weights of TrajectoryStreamWeights. The burn-in of a realisation is 20 decay times of the
+/// slowest mode. If is_duffing_at_wall(), the initial states follow the Gaussian of equivalent
+/// linearisation, folded to y >= 0. Otherwise the initial states follow the energy-averaged law,
+/// with the mass of each well (InitialStateSampler).
 ///
 /// Problems, densities, marginal densities and atoms are in wall coordinates (problem/walls.hpp).
 /// Moments, quantiles and crossing levels are in physical coordinates.
@@ -47,6 +47,6 @@ void require_accuracy(const SimulationOptions& options, transform::Solution& sol
 /// Throws an exception if simulate_stationary_density() would refuse the options or the problem.
 /// Checkpoint files are not checked.
 /// @throws InputError as simulate_stationary_density()
-void require_solvable(const problem::Problem& problem, const SimulationOptions& options);
+void require_valid_simulation(const problem::Problem& problem, const SimulationOptions& options);
 
 }  // namespace fpkcheck::mcs

@@ -17,7 +17,7 @@
 #include "mcs/estimate/stream_weights.hpp"
 #include "mcs/simulation/simulation.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
-#include "numerics/interpolation.hpp"
+#include "numerics/chebyshev_interpolation.hpp"
 #include "problem/motion_scales.hpp"
 
 namespace fpkcheck::mcs {
@@ -144,7 +144,7 @@ double alias_density(double c, double nyquist, double w) {
 // Returns the mean of all samples in the displacement series.
 double mean_of_series(Simulation& simulation) {
   double sum = 0, samples = 0;
-  for (std::size_t s = 0; s < simulation.streams().size(); ++s) {
+  for (std::size_t s = 0; s < simulation.trajectory_streams().size(); ++s) {
     for (const double y : simulation.displacement_series(s)) sum += y;
     samples += static_cast<double>(simulation.displacement_series(s).size());
   }
@@ -160,7 +160,7 @@ double mean_of_series(Simulation& simulation) {
 template <class Constant>
 void add_autocovariance(const std::vector<double>& lags, Periodogram& periodogram,
                         const std::vector<StreamSpectrum>& sums, const Constant& constant,
-                        const StreamWeights& weights, double tail, double nyquist,
+                        const TrajectoryStreamWeights& weights, double tail, double nyquist,
                         transform::SpectralDensity& spectrum) {
   constexpr std::size_t kNodes = 4;
   const bool of_y = spectrum.variable == transform::StateVariable::y;
@@ -244,16 +244,16 @@ transform::SpectralDensity estimate_spectrum(const problem::Problem& problem,
                kMostSpectrumEvents /
                    (plan.expected_event_rate + kEventsPerSample / plan.sampling_interval)));
   plan.rounds = static_cast<std::uint64_t>(
-      std::max(4.0, std::ceil(time / (plan.streams * plan.round_time()))));
+      std::max(4.0, std::ceil(time / (plan.streams * plan.simulated_time_per_round()))));
 
   Simulation simulation(transformed, plan);
-  simulation.enable_displacement_series();
+  simulation.enable_displacement_recording();
   simulation.run_burn_in();
   const auto streams = static_cast<std::size_t>(plan.streams);
   std::vector<StreamSpectrum> sums(streams);
   double centre = 0;
   for (std::uint64_t round = 0; round < plan.rounds; ++round) {
-    simulation.run_sampling_round();
+    simulation.simulate_and_sample_one_round();
     if (round == 0) centre = mean_of_series(simulation);
     base::parallel_for(static_cast<std::size_t>(plan.threads), plan.threads, [&](std::size_t part) {
       Periodogram whole(length, plan.sampling_interval), half(length / 2, plan.sampling_interval);
@@ -267,10 +267,10 @@ transform::SpectralDensity estimate_spectrum(const problem::Problem& problem,
     }
   }
 
-  const StreamWeights weights(excess_impulse_power_per_stream(simulation));
+  const TrajectoryStreamWeights weights(excess_impulse_power_per_stream(simulation));
   const auto moment = [&](int p, int q) {
-    return weights.estimate_mean(
-        statistic_per_stream(simulation.streams(), [&](const TrajectoryStreamStatistics& record) {
+    return weights.estimate_mean(statistic_of_each_stream(
+        simulation.trajectory_streams(), [&](const TrajectoryStreamStatistics& record) {
           return moment_in_wall_coordinates(simulation, record, p, q);
         }));
   };

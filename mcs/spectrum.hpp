@@ -10,9 +10,9 @@ namespace fpkcheck::mcs {
 
 /// Estimates the one-sided spectral density of y or y' by Welch's method: periodograms of
 /// half-overlapping segments of y with Hann's window, averaged over all segments of a trajectory
-/// stream and over the streams with StreamWeights. The spectrum of y' is computed as w^2 times the
-/// spectrum of y: the spectrum of samples of y' decreases only as w^-2 and would have a large
-/// alias.
+/// stream and over the streams with TrajectoryStreamWeights. The spectrum of y' is computed as w^2
+/// times the spectrum of y: the spectrum of samples of y' decreases only as w^-2 and would have a
+/// large alias.
 ///
 /// The errors are standard errors from the differences between streams, combined with two estimates
 /// of the bias: the alias, from the decrease G(w) ~ w^-4 above the largest frequency, and the

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "mcs/streams/stream.hpp"
+#include "mcs/streams/trajectory_stream.hpp"
 #include "numerics/statistics.hpp"
 
 namespace fpkcheck::mcs {
@@ -70,7 +70,7 @@ void add_rate_metrics(SolverMetricsBuilder& builder, const std::string& path,
 
 }  // namespace
 
-transform::Metrics metrics(const SimulationSummary& summary) {
+transform::Metrics solver_metrics(const SimulationSummary& summary) {
   SolverMetricsBuilder builder;
   builder.add_diagnostic_metric("time", summary.time)
       .add_diagnostic_metric("samples", value_from_count(summary.samples))

@@ -6,16 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "mcs/deposit/deposit.hpp"
+#include "mcs/deposit/sample_deposit.hpp"
 #include "mcs/estimate/stream_weights.hpp"
-#include "mcs/streams/stream.hpp"
-#include "transform/metric.hpp"
+#include "mcs/streams/trajectory_stream.hpp"
+#include "transform/solver_metric.hpp"
 
 namespace fpkcheck::mcs {
 
 /// Sums over the deposited samples of one trajectory stream, and the numbers of samples and impacts
 /// that normalise the sums.
-struct DepositOfOneStream {
+struct DepositedSumsOfTrajectory {
   DepositedSampleSums sums;
   double samples = 0;  ///< number of samples N, the divisor of the sums
   double time = 0;     ///< simulated time T of the stream
@@ -69,7 +69,7 @@ struct SimulationSummary {
   std::vector<double> joint_standard_errors{};
   /// Deposited sums of each trajectory stream on the grid SimulationOptions::deposit; empty without
   /// a deposit grid
-  std::vector<DepositOfOneStream> deposits{};
+  std::vector<DepositedSumsOfTrajectory> deposits{};
   /// Warnings about difficulties that do not affect the result, one line each
   /// (SimulationOptions::warn)
   std::vector<std::string> warnings{};
@@ -77,6 +77,6 @@ struct SimulationSummary {
 
 /// Returns the metrics of a summary for files and pages: everything except the standard errors of
 /// the joint histogram, the deposits and the warnings.
-transform::Metrics metrics(const SimulationSummary& summary);
+transform::Metrics solver_metrics(const SimulationSummary& summary);
 
 }  // namespace fpkcheck::mcs

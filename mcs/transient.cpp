@@ -34,11 +34,11 @@ constexpr double kFewestPaths = 1000;
 constexpr int kStreams = 2048;  // paths that are simulated together
 
 // Histograms and sums of powers of y and y' over simulated paths, at one time.
-struct SnapshotSums {
+struct SnapshotHistograms {
   std::vector<double> y, v;                      // number of paths in each bin, outer bins included
   std::array<double, 8> y_powers{}, v_powers{};  // sums of the powers 1 .. 8
 
-  SnapshotSums(const BinFinder& y_bins, const BinFinder& v_bins)
+  SnapshotHistograms(const BinFinder& y_bins, const BinFinder& v_bins)
       : y(y_bins.bin_count() + 2), v(v_bins.bin_count() + 2) {}
 
   void add_path(const BinFinder& y_bins, const BinFinder& v_bins, double at_y, double at_v) {
@@ -51,7 +51,7 @@ struct SnapshotSums {
     }
   }
 
-  void add_sums(const SnapshotSums& other) {
+  void add_sums(const SnapshotHistograms& other) {
     const auto plus = [](auto& a, const auto& b) {
       std::ranges::transform(a, b, a.begin(), std::plus());
     };
@@ -63,10 +63,10 @@ struct SnapshotSums {
 };
 
 // Generator of independent initial states from a Gaussian that is truncated at the walls.
-class InitialStates {
+class InitialStateGenerator {
  public:
-  InitialStates(const problem::System& system, const problem::InitialGaussian& density,
-                std::uint64_t seed)
+  InitialStateGenerator(const problem::System& system, const problem::InitialGaussian& density,
+                        std::uint64_t seed)
       : left_(system.left_wall() ? system.left_wall()->position : -HUGE_VAL),
         right_(system.right_wall() ? system.right_wall()->position : HUGE_VAL),
         density_(density) {
@@ -128,9 +128,9 @@ transform::Marginal make_marginal(const std::vector<double>& counts,
   return marginal;
 }
 
-transform::TransientSnapshot make_snapshot(const SnapshotSums& sums, double time, double paths,
-                                           const TransientRequest& request) {
-  transform::TransientSnapshot snapshot{.time = time};
+transform::TransientDensitySnapshot make_snapshot(const SnapshotHistograms& sums, double time,
+                                                  double paths, const TransientRequest& request) {
+  transform::TransientDensitySnapshot snapshot{.time = time};
   transform::ErrorEstimate& error = snapshot.error.emplace();
   const auto set = [&](double Moments::*moment, const std::array<double, 8>& powers, int power) {
     const double mean = powers[power - 1] / paths, square = powers[2 * power - 1] / paths;
@@ -149,12 +149,12 @@ transform::TransientSnapshot make_snapshot(const SnapshotSums& sums, double time
 }
 
 // Numbers of periods of the excitation that are simulated without recording the states.
-struct SkippedPeriods {
+struct SkippedExcitationPeriods {
   static constexpr double kMostPeriods = 1e6;
   int before_first = 0;  // before the first recorded period, until the initial density has decayed
   int between = 0;  // between two recorded periods, so that their states are nearly independent
 
-  SkippedPeriods(const SimulationPlan& plan, double decay_rate, double period) {
+  SkippedExcitationPeriods(const SimulationPlan& plan, double decay_rate, double period) {
     constexpr double kDecayTimesBetween = 3;  // a correlation of exp(-3) = 0.05
     const auto periods = [&](double time) {
       return static_cast<int>(std::min(kMostPeriods, std::ceil(time / period)));
@@ -167,20 +167,21 @@ struct SkippedPeriods {
 // Simulates kStreams paths in each repetition, and returns the sums over all paths at each time. If
 // the density over time is periodic, each repetition continues the paths of the previous
 // repetition.
-std::vector<SnapshotSums> simulate_paths(Simulation& simulation, InitialStates& initial,
-                                         int repetitions, const SkippedPeriods& periods,
-                                         const TransientRequest& request,
-                                         const problem::WallFrame& frame,
-                                         const SimulationOptions& options) {
+std::vector<SnapshotHistograms> simulate_paths(Simulation& simulation,
+                                               InitialStateGenerator& initial, int repetitions,
+                                               const SkippedExcitationPeriods& periods,
+                                               const TransientRequest& request,
+                                               const problem::WallFrame& frame,
+                                               const SimulationOptions& options) {
   constexpr std::size_t kParts = 16;  // parts whose sums are added in a fixed order
   const BinFinder y_bins(request.y_edges), v_bins(request.v_edges);
   const auto times = static_cast<std::size_t>(request.snapshots) + 1;
-  std::vector<std::vector<SnapshotSums>> sums(
-      kParts, std::vector<SnapshotSums>(times, SnapshotSums(y_bins, v_bins)));
+  std::vector<std::vector<SnapshotHistograms>> sums(
+      kParts, std::vector<SnapshotHistograms>(times, SnapshotHistograms(y_bins, v_bins)));
   const auto record = [&](std::size_t time) {
-    base::parallel_for(kParts, simulation.plan().threads, [&](std::size_t part) {
+    base::parallel_for(kParts, simulation.plan_of_simulation().threads, [&](std::size_t part) {
       for (std::size_t s = part; s < kStreams; s += kParts) {
-        const TrajectoryBranch& state = simulation.streams()[s].branch;
+        const TrajectoryBranch& state = simulation.trajectory_streams()[s].branch;
         sums[part][time].add_path(y_bins, v_bins, frame.physical_y(state.y),
                                   frame.physical_velocity(state.v));
       }
@@ -189,11 +190,11 @@ std::vector<SnapshotSums> simulate_paths(Simulation& simulation, InitialStates& 
   const auto restart_all = [&] {
     for (std::size_t s = 0; s < kStreams; ++s) {
       const OscillatorState start = initial.draw_state(s);
-      simulation.restart_stream(s, start.y, start.v);
+      simulation.restart_trajectory_stream(s, start.y, start.v);
     }
   };
   const auto skip = [&](int count) {
-    for (int k = 0; k < count; ++k) simulation.advance_between_times(0, request.until);
+    for (int k = 0; k < count; ++k) simulation.advance_streams_between_times(0, request.until);
   };
   if (request.periodic) {
     restart_all();
@@ -208,15 +209,15 @@ std::vector<SnapshotSums> simulate_paths(Simulation& simulation, InitialStates& 
     record(0);
     for (std::size_t k = 1; k < times; ++k) {
       const int snapshot = static_cast<int>(k);
-      simulation.advance_between_times(request.time_of_snapshot(snapshot - 1),
-                                       request.time_of_snapshot(snapshot));
+      simulation.advance_streams_between_times(request.time_of_snapshot(snapshot - 1),
+                                               request.time_of_snapshot(snapshot));
       record(k);
     }
     if (options.progress) {
       options.progress({static_cast<double>(repetition + 1) / repetitions});
     }
   }
-  std::vector<SnapshotSums> all = sums[0];
+  std::vector<SnapshotHistograms> all = sums[0];
   for (std::size_t part = 1; part < kParts; ++part) {
     for (std::size_t k = 0; k < times; ++k) all[k].add_sums(sums[part][k]);
   }
@@ -246,7 +247,7 @@ transform::TransientDensities estimate_transient(const problem::Problem& problem
   many_streams.streams = kStreams;
   SimulationPlan plan = make_simulation_plan(transformed, many_streams);
   plan.sampling_interval = 4 * request.until;  // no path ends its flights at samples
-  const SkippedPeriods periods(plan, scales.slowest_decay_rate, request.until);
+  const SkippedExcitationPeriods periods(plan, scales.slowest_decay_rate, request.until);
   const double time_per_path =
       request.periodic ? (1.0 + periods.between) * request.until : request.until;
   const double events =
@@ -263,7 +264,7 @@ transform::TransientDensities estimate_transient(const problem::Problem& problem
       static_cast<int>(std::ceil(std::max(kFewestPaths, time / time_per_path) / kStreams));
   const double paths = static_cast<double>(repetitions) * kStreams;
   Simulation simulation(transformed, plan);
-  InitialStates initial(transformed.system, density, plan.seed);
+  InitialStateGenerator initial(transformed.system, density, plan.seed);
   const auto sums = simulate_paths(simulation, initial, repetitions, periods, request,
                                    transformed.frame, options);
   for (int k = 0; k <= request.snapshots; ++k) {
@@ -272,7 +273,7 @@ transform::TransientDensities estimate_transient(const problem::Problem& problem
   }
   transient.status = Status::ok;
   if (request.periodic) {
-    transient.reason = periods.before_first >= SkippedPeriods::kMostPeriods
+    transient.reason = periods.before_first >= SkippedExcitationPeriods::kMostPeriods
                            ? "the burn-in takes too many periods; give several periods as --until"
                            : short_burn_in_reason(plan, options);
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "methods/method.hpp"
+#include "methods/method_interface.hpp"
 #include "methods/registry.hpp"
 
 namespace fpkcheck::methods {

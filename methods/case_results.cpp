@@ -78,7 +78,7 @@ results::MomentErrorSource make_error_source(const backward::DensityErrorEstimat
                                              const Eigen::MatrixXd& contributions,
                                              const transform::GridDensity& cells) {
   Eigen::MatrixXd values = error_estimator.distribute_contributions_over_cells(
-      contributions, transform::to_x_edges(frame, cells.y_edges),
+      contributions, transform::wall_coordinate_edges(frame, cells.y_edges),
       transform::transform_v_edges(frame, cells.v_edges));
   if (frame.mirrored) values = values.reverse().eval();
   results::MomentErrorSource result{solution, moment.name, {cells.y_edges, cells.v_edges, {}}};

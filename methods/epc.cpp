@@ -67,7 +67,7 @@ Solver epc_solver() {
       .run_options = {"accuracy"}};
   return registry_entry_with_solver_traits<epc::ClosureOptions>(
       std::move(entry),
-      {.description = epc::description(),
+      {.description = epc::solver_option_descriptions(),
        .validate = epc::validate,
        .identity = epc::solution_identity,
        .options_of = epc::options_of,

@@ -47,7 +47,7 @@ Solver fd_solver() {
       .run_options = {"max_seconds"}};
   return registry_entry_with_solver_traits<fd_fpk::FiniteVolumeOptions>(
       std::move(entry),
-      {.description = fd_fpk::description(),
+      {.description = fd_fpk::solver_option_descriptions(),
        .validate = fd_fpk::validate,
        .identity = fd_fpk::solution_identity,
        .options_of = fd_fpk::options_of,

@@ -9,7 +9,7 @@
 #include "mcs/options.hpp"
 #include "mcs/solve.hpp"
 #include "methods/builtin_solvers.hpp"
-#include "methods/method.hpp"
+#include "methods/method_interface.hpp"
 #include "methods/plot_style.hpp"
 
 namespace fpkcheck::methods {
@@ -74,7 +74,8 @@ std::optional<mcs::SimulationOptions> options_with_control_variates(std::string_
 
 Method simulation_with_runtime_settings(Method simulation,
                                         const SimulationRuntimeSettings& control) {
-  mcs::SimulationOptions options = mcs::description().read(simulation.options, "options");
+  mcs::SimulationOptions options =
+      mcs::solver_option_descriptions().read(simulation.options, "options");
   options.checkpoint = control.checkpoint;
   options.resume = control.resume;
   options.stop = control.stop;
@@ -107,12 +108,12 @@ Solver mcs_solver() {
                .uses_all_processors = true,
                .run_options = {"time", "seed", "threads"}};
   return registry_entry_with_solver_traits<mcs::SimulationOptions>(
-      std::move(entry), {.description = mcs::description(),
+      std::move(entry), {.description = mcs::solver_option_descriptions(),
                          .validate = mcs::validate,
                          .identity = mcs::solution_identity,
                          .options_of = options_with_control_variates,
                          .solve = solve_by_simulation,
-                         .check = mcs::require_solvable,
+                         .check = mcs::require_valid_simulation,
                          .unsupported_reason = mcs::unsupported_reason});
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "mcs/options.hpp"
-#include "methods/method.hpp"
+#include "methods/method_interface.hpp"
 
 namespace fpkcheck::methods {
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "methods/builtin_solvers.hpp"
 
 namespace fpkcheck::methods {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "methods/method.hpp"
+#include "methods/method_interface.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::methods {

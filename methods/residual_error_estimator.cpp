@@ -36,7 +36,7 @@ const backward::DensityErrorEstimator* ResidualErrorEstimator::density_error_est
     if (!fit_->unsupported_reason.empty()) return;
     try {
       fit_->estimator.emplace(fit_->problem);
-    } catch (const backward::FitFailure&) {
+    } catch (const backward::LeastSquaresFitFailure&) {
     }
   });
   return fit_->estimator ? &*fit_->estimator : nullptr;
@@ -56,7 +56,7 @@ std::vector<ResidualErrorEstimator> make_error_estimators(
 
 namespace {
 
-std::optional<backward::DensityErrors> estimate_density_errors(
+std::optional<backward::DensityErrorEstimates> estimate_density_errors(
     const ResidualErrorEstimator& estimator, const transform::Density& density,
     const problem::WallFrame& coordinates) try {
   const auto* density_estimator = estimator.density_error_estimator();
@@ -69,8 +69,9 @@ std::optional<backward::DensityErrors> estimate_density_errors(
   return std::nullopt;  // no error estimate for a density without a mean
 }
 
-std::string missing_estimate_reason(const ResidualErrorEstimator& estimator,
-                                    const std::optional<backward::DensityErrors>& weighted) {
+std::string missing_estimate_reason(
+    const ResidualErrorEstimator& estimator,
+    const std::optional<backward::DensityErrorEstimates>& weighted) {
   if (weighted) {
     return "the error is unknown: the solution of the backward equation is too coarse for this "
            "problem; compare with fd or mcs";
@@ -83,10 +84,10 @@ std::string missing_estimate_reason(const ResidualErrorEstimator& estimator,
 
 // Returns the reason for an error estimate above the required accuracy. Either the density is
 // inaccurate, or the estimate is only an upper bound that is much larger than the error.
-std::string large_estimate_reason(const backward::DensityErrors& weighted,
+std::string large_estimate_reason(const backward::DensityErrorEstimates& weighted,
                                   const transform::ErrorEstimate& error, double accuracy) {
   const double found =
-      backward::DensityErrors::kSubBinFactor *
+      backward::DensityErrorEstimates::kSubBinFactor *
       std::max(weighted.y_l1.dual_weighted_error, weighted.ydot_l1.dual_weighted_error);
   if (found <= accuracy) {
     return fmt::format(

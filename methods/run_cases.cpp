@@ -16,7 +16,7 @@
 
 #include "base/process/parallel_for.hpp"
 #include "base/process/stop_request.hpp"
-#include "compare/assessment.hpp"
+#include "compare/solution_assessment.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -43,7 +43,7 @@ class SolutionsByProblemAndMethod {
         case_listener_(case_listener),
         unsolved_(problems.size()),
         cases_(problems.size()) {
-    for (const auto& problem : problems) axes_.push_back(compare::comparison_axes(problem));
+    for (const auto& problem : problems) axes_.push_back(compare::comparison_bins(problem));
     solutions_.assign(problems.size(), std::vector<std::optional<Solution>>(methods.size()));
     for (auto& missing : unsolved_) missing = methods.size();
   }
@@ -97,7 +97,7 @@ class SolutionsByProblemAndMethod {
   const ProgressListener& listener_;
   const std::vector<ResidualErrorEstimator>& estimators_;
   const CaseListener& case_listener_;
-  std::vector<compare::ComparisonAxes> axes_;
+  std::vector<compare::ComparisonBins> axes_;
   std::vector<std::vector<std::optional<Solution>>> solutions_;
   std::vector<std::atomic<std::size_t>> unsolved_;  // number of missing solutions of each case
   std::vector<std::optional<results::CaseResult>> cases_;
@@ -215,7 +215,7 @@ std::optional<double> required_accuracy(const Method& method) {
 }
 
 void complete_error_estimates(const std::vector<Method>& methods,
-                              const compare::ComparisonAxes& axes,
+                              const compare::ComparisonBins& axes,
                               const ResidualErrorEstimator& estimator,
                               std::vector<Solution>& solutions,
                               const compare::SolutionComparison* comparison) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "compare/comparison.hpp"
-#include "methods/method.hpp"
+#include "methods/method_interface.hpp"
 #include "methods/residual_error_estimator.hpp"
 #include "problem/problem.hpp"
 #include "results/run.hpp"
@@ -111,7 +111,7 @@ std::optional<double> required_accuracy(const Method& method);
 /// @param comparison comparison of the solutions; if null, the function computes the comparison
 /// when needed
 void complete_error_estimates(const std::vector<Method>& methods,
-                              const compare::ComparisonAxes& axes,
+                              const compare::ComparisonBins& axes,
                               const ResidualErrorEstimator& estimator,
                               std::vector<transform::Solution>& solutions,
                               const compare::SolutionComparison* comparison = nullptr);

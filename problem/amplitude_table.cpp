@@ -10,7 +10,7 @@
 
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 
 namespace fpkcheck::problem {
 namespace {
@@ -247,7 +247,7 @@ std::string table_literal_from_setting(const std::string& setting,
                     "amplitude,probability or amplitude,density",
                     base::in_quotes(file.string())));
   }
-  return amplitude_table_literal(parse_amplitude_csv(*csv, base::sanitise(file.string())));
+  return amplitude_table_literal(parse_amplitude_csv(*csv, base::to_printable_text(file.string())));
 }
 
 }  // namespace fpkcheck::problem

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "problem/model.hpp"
+#include "problem/equation_and_impact_condition.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::problem {
@@ -82,8 +82,8 @@ struct BalanceEquation {
   double right;
   double scale;  ///< magnitude by which the residual is divided
 
-  double side_difference() const { return left - right; }
-  double relative_residual() const { return side_difference() / scale; }
+  double left_minus_right_side() const { return left - right; }
+  double relative_balance_residual() const { return left_minus_right_side() / scale; }
 };
 
 /// Returns the momentum per unit time from a wall of constant restitution coefficient r to the
@@ -131,8 +131,8 @@ struct MomentumBalanceTerms {
 ///
 /// The scale is the largest of three terms: the contribution of the spring, the contribution of the
 /// walls, and E[|g(y)|]. In a symmetric well without a wall both sides of the momentum balance are
-/// 0. For a symmetric well with unknown mean_absolute_force, use side_difference()
-/// instead of relative_residual().
+/// 0. For a symmetric well with unknown mean_absolute_force, use left_minus_right_side()
+/// instead of relative_balance_residual().
 BalanceEquation momentum_balance(const Problem& problem, const MomentumBalanceTerms& terms);
 
 }  // namespace fpkcheck::problem

@@ -16,14 +16,14 @@
 
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "problem/amplitude_table.hpp"
 #include "problem/problem_features.hpp"
 
 namespace fpkcheck::problem {
 
 using base::in_quotes;
-using base::sanitise;
+using base::to_printable_text;
 
 namespace {
 constexpr std::string_view kConstantsPrefix = "parameters.";
@@ -48,7 +48,7 @@ const base::Parameter& case_file_parameter(std::string_view key,
     }
   }
   std::vector<std::string> known;  // known keys, grouped by section: "wall.{left, right}"
-  for (const base::DescriptionBase* section : case_section_descriptions()) {
+  for (const base::OptionsDescriptionBase* section : case_section_descriptions()) {
     std::vector<std::string_view> names;
     for (const auto& parameter : section->parameters()) {
       if (section->prefix() + parameter.name == key) return parameter;
@@ -78,10 +78,11 @@ using CaseFileSettings = std::map<std::string, CaseFileSetting>;  // settings by
 CaseFileSettings settings_by_key(const std::vector<base::IniSetting>& file_settings) {
   CaseFileSettings settings;
   for (const auto& line : file_settings) {
-    case_file_parameter(line.section_and_key(), line.where);
-    if (!settings.emplace(line.section_and_key(), CaseFileSetting{line.text, line.where}).second) {
-      throw InputError(
-          fmt::format("{}: key '{}' is given twice; keep one", line.where, line.section_and_key()));
+    case_file_parameter(line.ini_section_and_key(), line.where);
+    if (!settings.emplace(line.ini_section_and_key(), CaseFileSetting{line.text, line.where})
+             .second) {
+      throw InputError(fmt::format("{}: key '{}' is given twice; keep one", line.where,
+                                   line.ini_section_and_key()));
     }
   }
   return settings;
@@ -94,7 +95,7 @@ void apply_overrides(const std::vector<std::string>& overrides, const std::strin
     const auto equals = pair.find('=');
     if (equals == std::string::npos) {
       throw InputError(fmt::format("--set {}: not key=value; write e.g. --set system.cubic=1.0",
-                                   sanitise(pair)));
+                                   to_printable_text(pair)));
     }
     const std::string key = boost::algorithm::trim_copy(pair.substr(0, equals));
     case_file_parameter(key, "--set");
@@ -180,7 +181,7 @@ void add_moments_of_table(CaseFileSettings& settings) {
 }
 
 // Parses the settings of one section; returns nullopt if an optional section has no settings.
-std::optional<CaseFileSection> parse_section(const base::DescriptionBase& description,
+std::optional<CaseFileSection> parse_section(const base::OptionsDescriptionBase& description,
                                              const CaseFileSettings& settings) {
   const std::string& prefix = description.prefix();
   const bool named = std::ranges::any_of(
@@ -291,8 +292,8 @@ std::string overridden_parameters_text(const CaseFileSettings& from_file, const 
 
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
                   const std::vector<std::string>& overrides, CaseNamingRule naming,
-                  TimeSectionPolicy time_section) {
-  const std::string message_prefix = fmt::format("case {}", sanitise(source));
+                  CaseFileTimeSectionPolicy time_section) {
+  const std::string message_prefix = fmt::format("case {}", to_printable_text(source));
   return problem_from_settings(base::read_ini_settings(ini, message_prefix), name, message_prefix,
                                overrides, naming, std::filesystem::path(source).parent_path(),
                                time_section);
@@ -301,7 +302,8 @@ Problem read_case(std::istream& ini, const std::string& name, std::string_view s
 Problem problem_from_settings(const std::vector<base::IniSetting>& file_settings,
                               const std::string& name, const std::string& message_prefix,
                               const std::vector<std::string>& overrides, CaseNamingRule naming,
-                              const std::filesystem::path& folder, TimeSectionPolicy time_section) {
+                              const std::filesystem::path& folder,
+                              CaseFileTimeSectionPolicy time_section) {
   require_valid_case_name(name);
   CaseFileSettings from_file = settings_by_key(file_settings);
   load_amplitude_table(from_file, folder);
@@ -313,7 +315,7 @@ Problem problem_from_settings(const std::vector<base::IniSetting>& file_settings
   add_moments_of_table(settings);
   try {
     std::vector<CaseFileSection> sections;
-    for (const base::DescriptionBase* description : case_section_descriptions()) {
+    for (const base::OptionsDescriptionBase* description : case_section_descriptions()) {
       if (auto one = parse_section(*description, settings)) sections.push_back(std::move(*one));
     }
     if (auto one = parse_named_constants(settings)) sections.push_back(std::move(*one));
@@ -328,7 +330,7 @@ Problem problem_from_settings(const std::vector<base::IniSetting>& file_settings
 }
 
 Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides,
-                  CaseNamingRule naming, TimeSectionPolicy time_section) {
+                  CaseNamingRule naming, CaseFileTimeSectionPolicy time_section) {
   if (const BuiltInCase* named = find_built_in_case(name_or_path)) {
     std::istringstream ini(named->text);
     return read_case(ini, named->name, named->name, overrides, naming, time_section);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/files/input_file.hpp"
-#include "base/options/parameter.hpp"
+#include "base/options/parameter_value.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::problem {
@@ -28,7 +28,7 @@ enum class CaseNamingRule {
 /// name of the case.
 Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides = {},
                   CaseNamingRule naming = CaseNamingRule::from_file,
-                  TimeSectionPolicy time_section = TimeSectionPolicy::refused);
+                  CaseFileTimeSectionPolicy time_section = CaseFileTimeSectionPolicy::refused);
 
 /// Reads a case from a stream with the contents of an ini file, by the rules of load_case().
 /// @param source name of the stream in messages; relative file names in the case refer to its
@@ -36,18 +36,17 @@ Problem load_case(const std::string& name_or_path, const std::vector<std::string
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
                   const std::vector<std::string>& overrides = {},
                   CaseNamingRule naming = CaseNamingRule::from_file,
-                  TimeSectionPolicy time_section = TimeSectionPolicy::refused);
+                  CaseFileTimeSectionPolicy time_section = CaseFileTimeSectionPolicy::refused);
 
 /// Builds the problem of a case from the settings of an ini file by the rules of load_case().
 /// @param message_prefix beginning of error messages without a line number, such as "case mine.ini"
 /// @param folder directory to which file names in settings refer; file names in overrides refer to
 /// the working directory
-Problem problem_from_settings(const std::vector<base::IniSetting>& file_settings,
-                              const std::string& name, const std::string& message_prefix,
-                              const std::vector<std::string>& overrides = {},
-                              CaseNamingRule naming = CaseNamingRule::from_file,
-                              const std::filesystem::path& folder = {},
-                              TimeSectionPolicy time_section = TimeSectionPolicy::refused);
+Problem problem_from_settings(
+    const std::vector<base::IniSetting>& file_settings, const std::string& name,
+    const std::string& message_prefix, const std::vector<std::string>& overrides = {},
+    CaseNamingRule naming = CaseNamingRule::from_file, const std::filesystem::path& folder = {},
+    CaseFileTimeSectionPolicy time_section = CaseFileTimeSectionPolicy::refused);
 
 /// Returns the parameter that a key of a case file sets, e.g. "system.damping".
 /// @param message_prefix beginning of the error message

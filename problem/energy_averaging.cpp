@@ -29,7 +29,7 @@ EnergyAveraging::EnergyAveraging(const Problem& problem) : orbits_(problem) {
     reason_for_unconfined_motion_ = "the potential of the force has no resolved levels";
 }
 
-double EnergyAveraging::phi_slope(const OrbitIntegrals& orbit) const {
+double EnergyAveraging::energy_exponent_slope(const OrbitIntegrals& orbit) const {
   return orbit.diffusion > 0 ? orbit.loss / orbit.diffusion : 0;
 }
 
@@ -110,8 +110,10 @@ void EnergyAveraging::compute_energy_bands(double lowest, double highest) {
         const HalfCycle& upper = from_top[u].orbit.half_cycle;
         if (middle < upper.left || middle > upper.right) continue;
         band.parent = u;
-        band.potential = from_top[u].potential -
-                         step_ * (phi_slope(band.orbit) + phi_slope(from_top[u].orbit)) / 2;
+        band.potential =
+            from_top[u].potential -
+            step_ * (energy_exponent_slope(band.orbit) + energy_exponent_slope(from_top[u].orbit)) /
+                2;
       }
       from_top.push_back(band);
     }
@@ -134,7 +136,8 @@ void EnergyAveraging::compute_energy_bands(double lowest, double highest) {
 
 // Inverse iteration solves equations with the matrix K by elimination from the leaves of the tree,
 // which creates no new nonzeros.
-double slowest_relaxation_rate(const DiffusionTree& tree, std::vector<double> initial_vector) {
+double slowest_relaxation_rate(const EnergyDiffusionTree& tree,
+                               std::vector<double> initial_vector) {
   std::vector<double>& u = initial_vector;
   const auto& mass = tree.mass;
   const auto& conductance = tree.conductance;
@@ -188,7 +191,7 @@ double slowest_relaxation_rate(const DiffusionTree& tree, std::vector<double> in
 double EnergyAveraging::relaxation_rate() const {
   assert(!reason_for_unconfined_motion_);
   const std::size_t n = bands_.size();
-  DiffusionTree tree;
+  EnergyDiffusionTree tree;
   // The normalisation constant of the node probabilities also divides the conductances between the
   // nodes of the tree.
   double unit = 0;

@@ -63,7 +63,7 @@ class EnergyAveraging {
 
  private:
   /// Returns dPhi/dh at the energy of an orbit, from the integrals over this orbit alone.
-  double phi_slope(const OrbitIntegrals& orbit) const;
+  double energy_exponent_slope(const OrbitIntegrals& orbit) const;
   /// Finds the interval of energies h in which the exponent Phi(h) of the density exp(-Phi(h))
   /// exceeds its minimum by at most kDepth.
   /// @return false if the motion is not confined
@@ -79,7 +79,7 @@ class EnergyAveraging {
 /// The diffusion of the energy, discretised: the nodes are energies on the families of orbits,
 /// which form a tree with several wells. Each node exchanges probability with its parent node,
 /// which has a larger index.
-struct DiffusionTree {
+struct EnergyDiffusionTree {
   std::vector<double> mass;         ///< stationary probabilities of the nodes, with the sum 1
   std::vector<double> conductance;  ///< conductance between each node and its parent node
   std::vector<std::size_t>
@@ -91,6 +91,6 @@ struct DiffusionTree {
 /// nodes, and the matrix K is the weighted graph Laplacian of the conductances. The kernel of K
 /// consists of the constant vectors, which the iteration projects out.
 /// @param initial_vector one value per node, from which the inverse iteration starts
-double slowest_relaxation_rate(const DiffusionTree& tree, std::vector<double> initial_vector);
+double slowest_relaxation_rate(const EnergyDiffusionTree& tree, std::vector<double> initial_vector);
 
 }  // namespace fpkcheck::problem

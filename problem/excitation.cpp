@@ -12,9 +12,9 @@ namespace fpkcheck::problem {
 
 using namespace base;
 
-const Description<WhiteNoise>& noise_parameter_description() {
+const OptionsDescription<WhiteNoise>& noise_parameter_description() {
   static const auto description =
-      Description<WhiteNoise>("noise.")
+      OptionsDescription<WhiteNoise>("noise.")
           .add("intensity", &WhiteNoise::intensity, {"I", "intensity of the Gaussian white noise"},
                non_negative_numbers())
           .with_symbol("2D", "2D")
@@ -53,11 +53,11 @@ ImpulseLaw make_law(const ImpulseParameters& parameters) {
 
 }  // namespace
 
-const Description<ImpulseParameters>& impulse_parameter_description() {
+const OptionsDescription<ImpulseParameters>& impulse_parameter_description() {
   using P = ImpulseParameters;
   static const Value nothing;
   static const auto description =
-      Description<P>("impulse.")
+      OptionsDescription<P>("impulse.")
           .add("rate", &P::arrival_rate, {"LAMBDA", "impulses per unit of time"},
                positive_numbers())
           .with_symbol("lambda", "λ")

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "base/options/description.hpp"
+#include "base/options/option_description.hpp"
 #include "problem/impulse_law.hpp"
 #include "problem/noise_factor.hpp"
 
@@ -20,7 +20,7 @@ struct WhiteNoise {
   bool is_acting() const { return intensity > 0; }
 };
 
-const base::Description<WhiteNoise>& noise_parameter_description();
+const base::OptionsDescription<WhiteNoise>& noise_parameter_description();
 
 struct ImpulseParameters {
   double arrival_rate;  ///< mean number lambda > 0 of impulses per unit time
@@ -36,7 +36,7 @@ struct ImpulseParameters {
   std::optional<std::string> factor = {};
 };
 
-const base::Description<ImpulseParameters>& impulse_parameter_description();
+const base::OptionsDescription<ImpulseParameters>& impulse_parameter_description();
 
 /// The impulsive excitation xi(t) of paper (3): impulses of random amplitudes Y_k at the times of a
 /// Poisson process.

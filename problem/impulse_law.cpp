@@ -20,7 +20,7 @@ void require_valid_law(const Law& law) {
   throw InputError(
       fmt::format("{0} impulse law with mean {1} and {2} {3}: the {2} must be positive, and both "
                   "must be finite",
-                  Law::kName, law.mean, Law::kWidthName, law.width()));
+                  Law::kName, law.mean, Law::kWidthName, law.width_parameter()));
 }
 
 // Returns the moment E[Y^j] = sum_n binomial(j, n) mean^(j-n) E[(Y - mean)^n].
@@ -125,7 +125,7 @@ double ImpulseLaw::mean() const {
   return std::visit([](const auto& law) { return law.mean; }, law_);
 }
 
-double ImpulseLaw::deviation() const {
+double ImpulseLaw::amplitude_standard_deviation() const {
   return std::visit([](const auto& law) { return law.standard_deviation(); }, law_);
 }
 

@@ -45,7 +45,7 @@ class ImpulseLaw {
 
   double mean() const;
   /// Returns the standard deviation of Y.
-  double deviation() const;
+  double amplitude_standard_deviation() const;
   /// Returns the skewness E[(Y - E[Y])^3] / deviation^3.
   double skewness() const;
   /// Returns whether Y - E[Y] and E[Y] - Y have the same law.

@@ -51,7 +51,8 @@ InitialGaussian initial_density(const Problem& problem, const MotionScales& scal
     start.mean_displacement = 0;
   }
   const WallFrame& frame = problem.frame;
-  if (const auto& y = options.mean_displacement) start.mean_displacement = frame.wall_x(*y);
+  if (const auto& y = options.mean_displacement)
+    start.mean_displacement = frame.wall_coordinate(*y);
   if (const auto& v = options.mean_velocity) start.mean_velocity = frame.physical_velocity(*v);
   const auto &left = problem.system.left_wall(), &right = problem.system.right_wall();
   if ((left && start.mean_displacement < left->position) ||

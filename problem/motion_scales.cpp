@@ -47,7 +47,7 @@ double overdamped_relaxation_rate(const Problem& problem, const MotionScales& sc
   const double least = *std::ranges::min_element(level);
   double total = 0;
   for (const double one : level) total += std::exp(least - one);
-  DiffusionTree chain;
+  EnergyDiffusionTree chain;
   for (std::size_t n = 0; n < kCells; ++n) {
     const std::size_t next = std::min(n + 1, kCells - 1);
     chain.mass.push_back(std::exp(least - level[n]) / total);

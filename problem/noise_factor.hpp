@@ -27,12 +27,12 @@ class NoiseFactor {
 
   double operator()(double y, double v) const { return g_(y, v); }
   /// Returns G = g^2.
-  double squared_factor(double y, double v) const {
+  double squared_noise_factor(double y, double v) const {
     const double g = g_(y, v);
     return g * g;
   }
   /// Returns dG/dv = 2 g dg/dv.
-  double squared_factor_slope_in_v(double y, double v) const {
+  double squared_noise_factor_slope_in_v(double y, double v) const {
     const numerics::DualNumber g = g_.with_slope_in_v(y, v);
     return 2 * g.value * g.derivative;
   }
@@ -42,8 +42,8 @@ class NoiseFactor {
   }
 
   /// Computes dG/dv = 2 g dg/dv at `count` <= Expression::kBatchPoints points.
-  void evaluate_squared_factor_slopes_in_v(std::size_t count, const double* y, const double* v,
-                                           double* slopes) const {
+  void evaluate_squared_noise_slopes_in_v(std::size_t count, const double* y, const double* v,
+                                          double* slopes) const {
     std::array<double, Expression::kBatchPoints> g{};
     g_.evaluate_batch_with_velocity_slopes(count, y, v, g.data(), slopes);
     for (std::size_t k = 0; k < count; ++k) slopes[k] *= 2 * g[k];

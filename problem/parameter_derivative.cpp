@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 
 namespace fpkcheck::problem {
 namespace {

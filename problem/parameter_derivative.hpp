@@ -8,7 +8,7 @@
 namespace fpkcheck::problem {
 
 /// A problem with a changed parameter, and its weight in a difference quotient.
-struct WeightedProblem {
+struct DifferenceQuotientTerm {
   double weight;
   Problem problem;
 };
@@ -19,7 +19,7 @@ struct WeightedProblem {
 struct ParameterDifferenceQuotient {
   std::string parameter;  ///< key of the case file, such as "system.damping"
   double value;           ///< value of the parameter
-  std::vector<WeightedProblem> terms;
+  std::vector<DifferenceQuotientTerm> terms;
 };
 
 /// Returns the keys of all numeric parameters with a value other than the default value. The result

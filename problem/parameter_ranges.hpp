@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "base/options/description.hpp"
-#include "base/options/parameter.hpp"
+#include "base/options/option_description.hpp"
+#include "base/options/parameter_value.hpp"
 
 namespace fpkcheck::problem {
 
@@ -21,7 +21,8 @@ inline constexpr double kLargestMagnitude = 1e30;
 void require_magnitudes_in_range(const std::string& prefix, const base::Values& values);
 
 template <class Owner>
-void require_magnitudes_in_range(const base::Description<Owner>& description, const Owner& owner) {
+void require_magnitudes_in_range(const base::OptionsDescription<Owner>& description,
+                                 const Owner& owner) {
   require_magnitudes_in_range(description.prefix(), description.values(owner));
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "problem/energy_averaging.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "problem/motion_scales.hpp"
@@ -24,7 +24,7 @@ const CaseFileSection* find_section(const std::vector<CaseFileSection>& sections
 
 template <class Owner>
 Owner read_section(const std::vector<CaseFileSection>& sections, const std::string& name,
-                   const base::Description<Owner>& description) {
+                   const base::OptionsDescription<Owner>& description) {
   const CaseFileSection* section = find_section(sections, name);
   return section == nullptr ? Owner{} : description.read(section->values, name);
 }
@@ -80,7 +80,7 @@ void set_noise_factor(Problem& problem) {
           "Stratonovich differ; give noise.interpretation = ito or stratonovich");
     }
     if (*noise.interpretation == NoiseInterpretation::stratonovich) {
-      problem.system = problem.system.in_ito_sense(factor, noise.diffusion());
+      problem.system = problem.system.equivalent_ito_system(factor, noise.diffusion());
     }
   }
   problem.noise_factor = std::move(factor);
@@ -135,7 +135,7 @@ Problem without_noise(Problem problem) {
 
 double noise_diffusion_coefficient(const Problem& problem, double y, double v) {
   return problem.noise.diffusion() *
-         (problem.noise_factor ? problem.noise_factor->squared_factor(y, v) : 1);
+         (problem.noise_factor ? problem.noise_factor->squared_noise_factor(y, v) : 1);
 }
 
 double squared_impulse_factor(const Problem& problem, double y) {
@@ -176,8 +176,8 @@ double total_excitation_intensity(const Problem& problem) {
   return problem.impulses.rate_times_moment(2) + problem.noise.intensity;
 }
 
-const std::vector<const base::DescriptionBase*>& case_section_descriptions() {
-  static const std::vector<const base::DescriptionBase*> all{
+const std::vector<const base::OptionsDescriptionBase*>& case_section_descriptions() {
+  static const std::vector<const base::OptionsDescriptionBase*> all{
       &system_parameter_description(), &wall_parameter_description(),
       &impulse_parameter_description(), &noise_parameter_description(),
       &time_parameter_description()};
@@ -193,7 +193,7 @@ const base::Parameter& named_constant_parameter(std::string_view name) {
     throw InputError(fmt::format(
         "parameters.{} is not a name of a constant; use letters, digits and '_', but not y, v, t, "
         "pi or the name of a function",
-        base::sanitise(name)));
+        base::to_printable_text(name)));
   }
   return parameter;
 }
@@ -232,7 +232,7 @@ std::vector<CaseFileSection> case_file_sections(const Problem& problem) {
 }
 
 Problem problem_from_sections(const std::string& name, const std::vector<CaseFileSection>& sections,
-                              TimeSectionPolicy time_section) {
+                              CaseFileTimeSectionPolicy time_section) {
   const CaseFileSection* system = find_section(sections, kSystem);
   if (system == nullptr) {
     throw InputError(
@@ -254,7 +254,7 @@ Problem problem_from_sections(const std::string& name, const std::vector<CaseFil
   set_noise_factor(problem);
   set_impulse_factor(problem);
   set_time_dependence(sections, problem);
-  if (problem.time.is_acting() && time_section == TimeSectionPolicy::refused) {
+  if (problem.time.is_acting() && time_section == CaseFileTimeSectionPolicy::refused) {
     throw InputError(
         "the section [time] changes the excitation in time, so that there is no stationary "
         "density; compute densities over time: fpkcheck run CASE --until T");
@@ -280,7 +280,7 @@ std::vector<ReportedParameter> parameters_for_reports(const Problem& problem) {
       continue;
     }
     const auto description = std::ranges::find(case_section_descriptions(), section.name + '.',
-                                               &base::DescriptionBase::prefix);
+                                               &base::OptionsDescriptionBase::prefix);
     for (const auto& [name, value] : section.values) {
       const auto& parameter = *(*description)->find(name);
       displayed.push_back({section.name, name, parameter.symbol, parameter.typeset, parameter.help,

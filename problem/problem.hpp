@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/options/parameter.hpp"
+#include "base/options/parameter_value.hpp"
 #include "problem/excitation.hpp"
 #include "problem/system.hpp"
 #include "problem/time_dependence.hpp"
@@ -59,7 +59,7 @@ struct CaseFileSection {
 };
 
 /// Returns the descriptions of all sections of a case file except [parameters].
-const std::vector<const base::DescriptionBase*>& case_section_descriptions();
+const std::vector<const base::OptionsDescriptionBase*>& case_section_descriptions();
 
 /// Returns the description of a named constant, a parameter of the section [parameters].
 /// @throws InputError if formulas cannot use the name
@@ -70,15 +70,16 @@ const base::Parameter& named_constant_parameter(std::string_view name);
 std::vector<CaseFileSection> case_file_sections(const Problem& problem);
 
 /// Whether a case file may contain the section [time], for densities over time.
-enum class TimeSectionPolicy { refused, allowed };
+enum class CaseFileTimeSectionPolicy { refused, allowed };
 
 /// Builds the problem from the sections of a case file.
 /// @param time_section whether the sections may contain the section [time]
 /// @throws InputError that names a key if the key is missing or unknown, if the value of the key
 /// has the wrong type or is out of range, or if [time] is refused; also the exceptions of
 /// require_stationary_density()
-Problem problem_from_sections(const std::string& name, const std::vector<CaseFileSection>& sections,
-                              TimeSectionPolicy time_section = TimeSectionPolicy::refused);
+Problem problem_from_sections(
+    const std::string& name, const std::vector<CaseFileSection>& sections,
+    CaseFileTimeSectionPolicy time_section = CaseFileTimeSectionPolicy::refused);
 
 /// A parameter of a problem as displayed in reports.
 struct ReportedParameter {

@@ -78,8 +78,8 @@ std::string barrier_unsupported_reason(const Problem& problem, double barrier) {
   return "";
 }
 
-const std::vector<UnsupportedFeature>& unsupported_features() {
-  static const std::vector<UnsupportedFeature> all{
+const std::vector<UnsupportedOscillatorFeature>& unsupported_features() {
+  static const std::vector<UnsupportedOscillatorFeature> all{
       {"coloured noise", {"coloured", "colored", "correlation", "bandwidth", "filter"}},
       {"impulses other than a Poisson process", {"renewal", "arrivals", "interarrival", "levy"}},
       {"two or more degrees of freedom", {"dof", "freedom", "coupling", "oscillators"}},

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "problem/model.hpp"
+#include "problem/equation_and_impact_condition.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::problem {
@@ -50,7 +50,7 @@ std::string inelastic_collapse_reason(const Problem& problem, DensityEquation eq
 std::string barrier_unsupported_reason(const Problem& problem, double barrier);
 
 /// A feature of oscillators that the program does not support.
-struct UnsupportedFeature {
+struct UnsupportedOscillatorFeature {
   std::string_view subject;  ///< name of the feature in messages
   /// Words in lower case that identify the feature in a key. A key is split into words at '.', '_'
   /// and '-'.
@@ -58,7 +58,7 @@ struct UnsupportedFeature {
 };
 
 /// Returns all unsupported features, in agreement with the list in README.md.
-const std::vector<UnsupportedFeature>& unsupported_features();
+const std::vector<UnsupportedOscillatorFeature>& unsupported_features();
 
 /// Returns one line that names the unsupported feature that a key or a command requests, or the key
 /// of a force that changes in time; empty for other keys and commands.

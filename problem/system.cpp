@@ -12,10 +12,10 @@ namespace fpkcheck::problem {
 
 using namespace base;
 
-const Description<SystemCoefficients>& system_parameter_description() {
+const OptionsDescription<SystemCoefficients>& system_parameter_description() {
   using C = SystemCoefficients;
   static const auto description =
-      Description<C>("system.")
+      OptionsDescription<C>("system.")
           .add("damping", &C::damping, {"C", "damping"}, finite_numbers())
           .with_symbol("c", "c")
           .add("van_der_pol", &C::van_der_pol, {"C", "damping that grows with y^2"},
@@ -149,7 +149,7 @@ std::vector<double> System::kinks_in_v(double low, double high) const {
   return formula_ ? formula_->kinks_in_v(low, high) : std::vector<double>{};
 }
 
-System System::in_ito_sense(const NoiseFactor& factor, double diffusion) const {
+System System::equivalent_ito_system(const NoiseFactor& factor, double diffusion) const {
   System transformed = *this;
   if (!formula_) transformed.formula_.emplace(formula_of_coefficients(c_));
   transformed.stratonovich_factor_ = factor;
@@ -161,7 +161,7 @@ System System::to_wall_coordinates(const WallFrame& frame) const {
   if (frame.is_identity()) return *this;
   System transformed = *this;
   const auto moved = [&](std::optional<Wall> wall) {
-    if (wall) wall->position = frame.wall_x(wall->position) + 0.0;  // adding 0 avoids -0
+    if (wall) wall->position = frame.wall_coordinate(wall->position) + 0.0;  // adding 0 avoids -0
     return wall;
   };
   transformed.walls_ = {.left = moved(frame.mirrored ? walls_.right : walls_.left),

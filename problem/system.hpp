@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/options/description.hpp"
+#include "base/options/option_description.hpp"
 #include "numerics/polynomials/polynomial.hpp"
 #include "problem/expression/state_function.hpp"
 #include "problem/noise_factor.hpp"
@@ -31,7 +31,7 @@ struct SystemCoefficients {
   std::optional<double> restitution = {};
 };
 
-const base::Description<SystemCoefficients>& system_parameter_description();
+const base::OptionsDescription<SystemCoefficients>& system_parameter_description();
 
 /// The oscillator of paper (1)-(2), generalised to any polynomial force of degree 5 and to two
 /// walls:
@@ -68,14 +68,15 @@ class System {
     if (!formula_) return damping_force(y, v) + force_(y);
     double force = sign_ * (*formula_)(y, v);
     if (stratonovich_factor_) {
-      force -= stratonovich_diffusion_ / 2 * stratonovich_factor_->squared_factor_slope_in_v(y, v);
+      force -=
+          stratonovich_diffusion_ / 2 * stratonovich_factor_->squared_noise_factor_slope_in_v(y, v);
     }
     return force;
   }
   /// Returns the oscillator of an equation in Stratonovich's sense, with noise of diffusion
   /// coefficient D and factor g. The member force() of the result includes the drift -D G_v / 2,
   /// where G is the square of the factor.
-  System in_ito_sense(const NoiseFactor& factor, double diffusion) const;
+  System equivalent_ito_system(const NoiseFactor& factor, double diffusion) const;
   /// Computes the force f(y, v) + g(y) at `count` <= Expression::kBatchPoints points, faster than
   /// by single evaluations. Under multiplicative noise the result is the force of the equation in
   /// the sense of noise.interpretation, without the drift D G_v / 2.

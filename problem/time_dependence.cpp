@@ -17,10 +17,10 @@ namespace fpkcheck::problem {
 
 using namespace base;
 
-const Description<ExcitationTimeFormulas>& time_parameter_description() {
+const OptionsDescription<ExcitationTimeFormulas>& time_parameter_description() {
   static const Value nothing;
   static const auto description =
-      Description<ExcitationTimeFormulas>("time.")
+      OptionsDescription<ExcitationTimeFormulas>("time.")
           .add("rate", &ExcitationTimeFormulas::rate,
                {"A", "factor a(t) of impulse.rate over time, as a formula"})
           .with_symbol("a(t)", "a(t)")

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "base/options/description.hpp"
+#include "base/options/option_description.hpp"
 #include "problem/expression/expression.hpp"
 
 namespace fpkcheck::problem {
@@ -15,7 +15,7 @@ struct ExcitationTimeFormulas {
   std::optional<std::string> force = {};      ///< external force F(t)
 };
 
-const base::Description<ExcitationTimeFormulas>& time_parameter_description();
+const base::OptionsDescription<ExcitationTimeFormulas>& time_parameter_description();
 
 /// The part of an excitation that changes in time: impulses arrive at the rate lambda a(t), the
 /// noise has the intensity 2D b(t), and a deterministic force F(t) acts on the mass,

@@ -148,7 +148,8 @@ OrbitIntegrals UndampedOrbits::orbit_integrals(const HalfCycle& half_cycle, doub
     orbit.loss += damping * v * dy;
     if (const auto& g = problem_.noise_factor) {
       const double slope =
-          (g->squared_factor_slope_in_v(y, v) - g->squared_factor_slope_in_v(y, -v)) / 2;
+          (g->squared_noise_factor_slope_in_v(y, v) - g->squared_noise_factor_slope_in_v(y, -v)) /
+          2;
       orbit.loss += problem_.noise.diffusion() * slope * dy;
       of_noise += (noise_diffusion_coefficient(problem_, y, v) +
                    noise_diffusion_coefficient(problem_, y, -v)) /

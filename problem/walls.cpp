@@ -13,10 +13,10 @@ namespace fpkcheck::problem {
 
 using namespace base;
 
-const Description<WallParameters>& wall_parameter_description() {
+const OptionsDescription<WallParameters>& wall_parameter_description() {
   using W = WallParameters;
   static const auto description =
-      Description<W>("wall.")
+      OptionsDescription<W>("wall.")
           .add("left", &W::left, {"A", "position of the wall on the left"}, finite_numbers())
           .with_symbol("a", "a")
           .with_default_omitted_from_files(Value())

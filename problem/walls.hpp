@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "base/options/description.hpp"
+#include "base/options/option_description.hpp"
 #include "problem/expression/expression.hpp"
 
 namespace fpkcheck::problem {
@@ -47,7 +47,7 @@ struct WallParameters {
   bool is_section_absent() const { return *this == WallParameters{}; }
 };
 
-const base::Description<WallParameters>& wall_parameter_description();
+const base::OptionsDescription<WallParameters>& wall_parameter_description();
 
 /// The walls at the left and right ends of the interval of y; a wall is absent on an unbounded
 /// side.
@@ -86,7 +86,7 @@ struct WallFrame {
 
   double velocity_sign() const { return mirrored ? -1 : 1; }
   double physical_y(double x) const { return origin + velocity_sign() * x; }
-  double wall_x(double y) const { return velocity_sign() * (y - origin); }
+  double wall_coordinate(double y) const { return velocity_sign() * (y - origin); }
   double physical_velocity(double x_dot) const { return velocity_sign() * x_dot; }
   bool is_identity() const { return origin == 0 && !mirrored; }
   WallFrame inverse_frame() const {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <set>
 
-#include "compare/assessment.hpp"
+#include "compare/solution_assessment.hpp"
 
 namespace fpkcheck::report {
 
@@ -22,7 +22,7 @@ std::vector<const transform::Solution*> solutions_of_full_problem(
   return all;
 }
 
-std::string describe_reference(const results::CaseResult& case_result) {
+std::string reference_description_text(const results::CaseResult& case_result) {
   const auto& assessment = case_result.assessment;
   if (assessment.reference.empty())
     return "There is no reference: no solution of the full problem has status ok.";
@@ -55,11 +55,11 @@ std::vector<SolutionFamily> group_by_family(std::span<const Solution> solutions)
   return group_by_family(all);
 }
 
-std::vector<StatusReason> group_status_reasons(const results::CaseResult& case_result) {
-  std::vector<StatusReason> all;
+std::vector<SolutionStatusReason> group_status_reasons(const results::CaseResult& case_result) {
+  std::vector<SolutionStatusReason> all;
   for (const auto& solution : case_result.solutions) {
     if (solution.has_status_ok()) continue;
-    const auto same = std::ranges::find_if(all, [&](const StatusReason& reason) {
+    const auto same = std::ranges::find_if(all, [&](const SolutionStatusReason& reason) {
       return reason.status == transform::Status::not_offered && reason.status == solution.status &&
              reason.text == solution.reason;
     });

@@ -16,7 +16,7 @@ std::vector<const transform::Solution*> solutions_of_full_problem(
     const results::CaseResult& case_result);
 
 /// Returns a sentence on the reference and the reason for its selection.
-std::string describe_reference(const results::CaseResult& case_result);
+std::string reference_description_text(const results::CaseResult& case_result);
 
 struct SolutionFamily {
   std::string name;
@@ -30,14 +30,14 @@ std::vector<SolutionFamily> group_by_family(
 std::vector<SolutionFamily> group_by_family(std::span<const transform::Solution> solutions);
 
 /// The reason why solutions of a case have a status other than `ok`. Solutions with status
-/// `not_offered` and equal reasons share one StatusReason.
-struct StatusReason {
+/// `not_offered` and equal reasons share one SolutionStatusReason.
+struct SolutionStatusReason {
   std::vector<std::string> solutions;  ///< ids in the order of the case
   transform::Status status;
   std::string text;
 };
 
-std::vector<StatusReason> group_status_reasons(const results::CaseResult& case_result);
+std::vector<SolutionStatusReason> group_status_reasons(const results::CaseResult& case_result);
 
 /// Returns the walls at which a solution of the case has an atom (mass at rest in contact), in
 /// increasing order. For the cases of the paper the list of walls is empty.

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "compare/agreement.hpp"
-#include "compare/assessment.hpp"
+#include "compare/solution_assessment.hpp"
 #include "report/case_solutions.hpp"
 #include "report/verdict/verdict.hpp"
 
@@ -163,7 +163,7 @@ void add_closest_closures(const CaseResult& case_result, Sentences& sentences) {
     return s.identity.role == SolutionRole::closure;
   });
   if (assessment.reference.empty() || !any) return;
-  auto ranks = assessment.ranked_closures();
+  auto ranks = assessment.closures_ranked_by_distance();
   if (ranks.empty()) {
     sentences.emplace_back("No closure has status ok.");
     return;
@@ -198,7 +198,7 @@ void add_closest_closures(const CaseResult& case_result, Sentences& sentences) {
     MarginalDistances most{0, 0};
     for (const auto* rank : closest) {
       ids.push_back(rank->id);
-      most.update_maximum_distances(rank->y, rank->ydot);
+      most.update_largest_l1_distances(rank->y, rank->ydot);
     }
     const bool tie = ids.size() > 1;
     parts.push_back(fmt::format("{}{} with L1 {}{}", fmt::join(ids, ", "),
@@ -413,9 +413,10 @@ void add_solver_notes(const CaseResult& case_result, Sentences& sentences) {
 
 }  // namespace
 
-std::vector<std::string> finding_sentences(const CaseResult& case_result) {
+std::vector<std::string> case_finding_sentences(const CaseResult& case_result) {
   Sentences sentences = guaranteed_bounds_findings(case_result);
-  if (case_result.solutions.size() > 1) sentences.push_back(describe_reference(case_result));
+  if (case_result.solutions.size() > 1)
+    sentences.push_back(reference_description_text(case_result));
   add_discretisation_errors(case_result, sentences);
   add_sampling_errors(case_result, sentences);
   add_kick_interval_errors(case_result, sentences);

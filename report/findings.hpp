@@ -13,7 +13,7 @@ namespace fpkcheck::report {
 /// `ok` solutions:
 ///
 /// - findings on the guaranteed bounds;
-/// - the reference (compare/assessment.hpp), if the case has several solutions;
+/// - the reference (compare/solution_assessment.hpp), if the case has several solutions;
 /// - the largest estimated discretisation error of the equations, unless the case has an error
 ///   budget;
 /// - the L1 error of each approximate equation or impact condition: the distance from the solution
@@ -26,7 +26,7 @@ namespace fpkcheck::report {
 ///   errors;
 /// - notes of the solvers (metrics `notes[k]`), or notes on a file (metrics `X.notes[k]` and the
 ///   file name `X.file`).
-std::vector<std::string> finding_sentences(const results::CaseResult& case_result);
+std::vector<std::string> case_finding_sentences(const results::CaseResult& case_result);
 
 /// Returns sentences on the guaranteed bounds of the moments of a case. If the computation of
 /// bounds was omitted, the list is empty.

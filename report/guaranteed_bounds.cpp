@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "compare/assessment.hpp"
+#include "compare/solution_assessment.hpp"
 #include "report/terminal_tables.hpp"
 #include "report/text/number_text.hpp"
 #include "report/text/text_layout.hpp"

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "compare/error_budget.hpp"
-#include "problem/model.hpp"
+#include "problem/equation_and_impact_condition.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -93,7 +93,7 @@ std::string solutions_table_legend(const std::vector<TextTableColumn>& results,
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-std::string budget_table_legend(const std::vector<TextTableColumn>& budgets) {
+std::string error_budget_table_legend(const std::vector<TextTableColumn>& budgets) {
   if (budgets.empty()) return "";
   const auto has_row = [&](std::string_view name) {
     return has_cell_satisfying(budgets, "error budget",
@@ -113,7 +113,7 @@ std::string budget_table_legend(const std::vector<TextTableColumn>& budgets) {
                         fmt::join(rows_below, " and "));
   }
   for (const auto& [approximation, name, meaning] : compare::kApproximationNames) {
-    const std::string header = budget_part_header(std::string(name));
+    const std::string header = error_budget_part_header(std::string(name));
     // If the solution between two approximations is missing, the approximations share a column:
     // closure + impact.
     if (!has_header_containing(budgets, header) && !has_header_containing(budgets, name)) continue;

@@ -99,7 +99,7 @@ std::string case_title(const problem::Problem& problem) {
 
 std::string terminal_tables_text(const results::Run& run, const TerminalTextFormat& format) {
   const std::size_t width = format.width;
-  const RunVerdict run_verdict = make_verdict(run);
+  const RunVerdict run_verdict = make_run_verdict(run);
   std::string text = verdict_answer_text(run_verdict, format);
   if (!text.empty()) text += '\n';
   std::vector<TextTableColumn> all, budgets;
@@ -110,8 +110,8 @@ std::string terminal_tables_text(const results::Run& run, const TerminalTextForm
     if (missing.empty()) missing = omitted_column_names(all_columns, shown);
     text += wrap_text(case_title(case_result.problem), width, 2) +
             format_text_table(shown, format) + reasons_text(case_result, width) +
-            budget_table_text(case_result, format);
-    for (const auto& sentence : finding_sentences(case_result))
+            error_budget_table_text(case_result, format);
+    for (const auto& sentence : case_finding_sentences(case_result))
       text += wrap_text("  " + sentence, width, 2);
     text += '\n';
     std::ranges::copy(shown, std::back_inserter(all));
@@ -124,10 +124,12 @@ std::string terminal_tables_text(const results::Run& run, const TerminalTextForm
                                   width, missing),
                       width);
   }
-  for (const auto& legend : {solutions_table_legend(all, run), budget_table_legend(budgets)}) {
+  for (const auto& legend :
+       {solutions_table_legend(all, run), error_budget_table_legend(budgets)}) {
     if (!legend.empty()) text += wrap_text(legend, width);
   }
-  if (const auto last = verdict_text(run, run_verdict, format); !last.empty()) text += '\n' + last;
+  if (const auto last = run_verdict_text(run, run_verdict, format); !last.empty())
+    text += '\n' + last;
   return text;
 }
 

@@ -29,17 +29,17 @@ std::string case_title(const problem::Problem& problem);
 /// The text is empty if the case has no error budget.
 /// @param format format of the text; if rows exceed its width, the columns of tail distances are
 /// omitted first, then the columns of the last budget parts
-std::string budget_table_text(const results::CaseResult& case_result,
-                              const TerminalTextFormat& format);
+std::string error_budget_table_text(const results::CaseResult& case_result,
+                                    const TerminalTextFormat& format);
 
-/// Returns the columns that budget_table_text() displays in a text format. The list is empty if the
-/// case has no error budget.
+/// Returns the columns that error_budget_table_text() displays in a text format. The list is empty
+/// if the case has no error budget.
 std::vector<TextTableColumn> displayed_budget_columns(const results::CaseResult& case_result,
                                                       const TerminalTextFormat& format);
 
 /// Returns the short name of a part of the error budget for the header of a narrow column:
 /// "trunc.".
-std::string budget_part_header(const std::string& part);
+std::string error_budget_part_header(const std::string& part);
 
 /// Returns sentences that explain the headers and cells of the displayed columns of the tables of
 /// solutions. The text is empty if no column is displayed.
@@ -47,6 +47,6 @@ std::string solutions_table_legend(const std::vector<TextTableColumn>& results,
                                    const results::Run& run);
 
 /// Returns sentences that explain the columns of the tables of error budgets.
-std::string budget_table_legend(const std::vector<TextTableColumn>& budgets);
+std::string error_budget_table_legend(const std::vector<TextTableColumn>& budgets);
 
 }  // namespace fpkcheck::report

@@ -12,7 +12,7 @@
 
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "results/netcdf/reader.hpp"
 #include "results/netcdf/writer.hpp"
 #include "results/output_directory.hpp"
@@ -205,7 +205,8 @@ JointDensityFileContent read_joint_netcdf(
     return found;
   } catch (const std::runtime_error& error) {
     throw InputError(fmt::format("{} is not a complete file of joint densities: {}; run again",
-                                 base::sanitise(path.string()), base::sanitise(error.what())));
+                                 base::to_printable_text(path.string()),
+                                 base::to_printable_text(error.what())));
   }
 }
 
@@ -238,14 +239,14 @@ NetCdfJointDensityVariable read_external_joint_density_variable(std::string byte
   } catch (const std::runtime_error& error) {
     throw InputError(fmt::format(
         "{}: {} (must be netCDF-4 with p(y, v) and its coordinates y and v, or a joint.nc)",
-        file_name, base::sanitise(error.what())));
+        file_name, base::to_printable_text(error.what())));
   }
 }
 
 std::vector<JointDensity> joint_densities_on_comparison_cells(
-    const compare::ComparisonAxes& axes, std::span<const transform::Solution> solutions) {
+    const compare::ComparisonBins& axes, std::span<const transform::Solution> solutions) {
   std::vector<JointDensity> joints;
-  const auto even = compare::undivided_axes(axes);
+  const auto even = compare::undivided_comparison_bins(axes);
   const auto y_edges = every_second_edge(even.y_edges);
   for (const auto& solution : solutions) {
     if (!solution.density) continue;

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/comparison_axes.hpp"
+#include "compare/comparison_bins.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::results {
@@ -72,10 +72,10 @@ NetCdfJointDensityVariable read_external_joint_density_variable(std::string byte
 
 /// Returns the joint densities p(y, y') of all solutions with a joint density, in the order of the
 /// solutions. The cell widths in y and in y' are a tenth of a standard deviation. Along y each cell
-/// joins two adjacent comparison bins (compare/comparison_axes.hpp), so that histograms of
+/// joins two adjacent comparison bins (compare/comparison_bins.hpp), so that histograms of
 /// simulations need no interpolation. The averages over cells are rounded to single precision, as
 /// in joint.nc.
 std::vector<JointDensity> joint_densities_on_comparison_cells(
-    const compare::ComparisonAxes& axes, std::span<const transform::Solution> solutions);
+    const compare::ComparisonBins& axes, std::span<const transform::Solution> solutions);
 
 }  // namespace fpkcheck::results

@@ -9,11 +9,12 @@
 namespace fpkcheck::results {
 namespace {
 
-using compare::LimitingErrorGroup;
+using compare::ClosuresWithSameLimitingError;
 
 // Returns the ids of the closures of a group as text: "epc-gaussian-n2, -n4 (inadmissible) and
 // -n6".
-std::string closure_id_list(const CaseResult& case_result, const LimitingErrorGroup& group) {
+std::string closure_id_list(const CaseResult& case_result,
+                            const ClosuresWithSameLimitingError& group) {
   std::vector<std::string> ids;
   std::string stem_before;
   for (const auto& id : group.closures) {
@@ -37,7 +38,7 @@ std::string budget_part_meaning(const std::string& part) {
   return approximations.size() == 1 ? std::string(base::meaning_of(approximations.front())) : part;
 }
 
-std::string error_fractions_text(const LimitingErrorGroup& group) {
+std::string error_fractions_text(const ClosuresWithSameLimitingError& group) {
   const auto percent = [](double fraction) { return fmt::format("{:.0f}", 100 * fraction); };
   const auto least = percent(group.least_fraction), greatest = percent(group.greatest_fraction);
   return least == greatest ? fmt::format("{} %", least)
@@ -46,8 +47,8 @@ std::string error_fractions_text(const LimitingErrorGroup& group) {
 
 // Returns the text of a group of closures with the same limiting error. Only the first percentage
 // in the sentence has the explanation "of the sum of the parts".
-std::string closure_group_text(const CaseResult& case_result, const LimitingErrorGroup& group,
-                               bool& explained) {
+std::string closure_group_text(const CaseResult& case_result,
+                               const ClosuresWithSameLimitingError& group, bool& explained) {
   const std::string closures = closure_id_list(case_result, group);
   if (!group.part.empty()) {
     const char* of_what = explained ? "" : " of the sum of the parts";

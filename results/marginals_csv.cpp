@@ -9,7 +9,7 @@
 
 #include "base/input_error.hpp"
 #include "base/text/parse_number.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -87,7 +87,8 @@ class DensityCurveCsvReader {
   }
 
   [[noreturn]] void fail(const std::string& problem) const {
-    throw InputError(fmt::format("{}:{}: {}", base::sanitise(source_), line_number_, problem));
+    throw InputError(
+        fmt::format("{}:{}: {}", base::to_printable_text(source_), line_number_, problem));
   }
 
  private:

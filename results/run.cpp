@@ -79,7 +79,7 @@ ProgramInfo current_program(const std::string& command) {
   return {"fpkcheck", FPKCHECK_VERSION, command};
 }
 
-DensityCurve make_density_curve(compare::SolutionMarginal&& found) {
+DensityCurve make_density_curve(compare::SolutionMarginalDensity&& found) {
   auto& [solution, variable, marginal] = found;
   std::vector<double> centres;
   for (std::size_t b = 0; b < marginal.size(); ++b) centres.push_back(marginal.bin_centre(b));
@@ -88,7 +88,7 @@ DensityCurve make_density_curve(compare::SolutionMarginal&& found) {
           std::move(marginal.lower), std::move(marginal.upper)};
 }
 
-CaseResult make_case_result(const problem::Problem& problem, const compare::ComparisonAxes& axes,
+CaseResult make_case_result(const problem::Problem& problem, const compare::ComparisonBins& axes,
                             std::vector<transform::Solution> solutions) {
   auto comparison = compare::compare_solutions(axes, solutions);
   CaseResult result{.problem = problem,

@@ -5,13 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include "compare/assessment.hpp"
 #include "compare/comparison.hpp"
-#include "compare/comparison_axes.hpp"
+#include "compare/comparison_bins.hpp"
 #include "compare/guaranteed_bounds.hpp"
 #include "compare/pair_distances.hpp"
+#include "compare/solution_assessment.hpp"
 #include "problem/problem.hpp"
-#include "transform/density.hpp"
+#include "transform/joint_density.hpp"
 #include "transform/solution.hpp"
 
 /// The result of a run, computed or read from the files of a saved run. Tables, figures and the
@@ -124,11 +124,11 @@ struct Run {
 
 /// Computes the comparison and the assessment of the solutions of a case.
 /// @param solutions by increasing trust
-CaseResult make_case_result(const problem::Problem& problem, const compare::ComparisonAxes& axes,
+CaseResult make_case_result(const problem::Problem& problem, const compare::ComparisonBins& axes,
                             std::vector<transform::Solution> solutions);
 
 /// Converts a marginal density of a solution to the form in which runs store marginal densities.
-DensityCurve make_density_curve(compare::SolutionMarginal&& marginal);
+DensityCurve make_density_curve(compare::SolutionMarginalDensity&& marginal);
 
 /// Returns a sentence on the limiting error (the largest error) of each closure of a case. Another
 /// sentence follows if the finite-volume solution and the simulation disagree. The text is empty if

@@ -19,19 +19,20 @@ SolutionAgreementInCase agreement_in_case(const results::CaseResult& one, std::s
                              : SolutionAgreementInCase{{*assessed}, one.find(id)};
 }
 
-std::vector<SolutionAgreements> agreement_rows(const results::Run& run) {
-  std::vector<SolutionAgreements> all;
+std::vector<SolutionAgreementOverCases> agreement_rows(const results::Run& run) {
+  std::vector<SolutionAgreementOverCases> all;
   for (std::size_t k = 0; k < run.cases.size(); ++k) {
     auto place = all.begin();
     for (const auto& solution : run.cases[k].solutions) {
-      const auto known = std::ranges::find(
-          all, solution.id(), [](const SolutionAgreements& row) { return row.identity->id; });
+      const auto known =
+          std::ranges::find(all, solution.id(),
+                            [](const SolutionAgreementOverCases& row) { return row.identity->id; });
       if (known != all.end()) {
         place = known + 1;
         continue;
       }
       // A new row is inserted after the row of the preceding solution of the case.
-      place = all.insert(place, SolutionAgreements{&solution.identity, {}}) + 1;
+      place = all.insert(place, SolutionAgreementOverCases{&solution.identity, {}}) + 1;
     }
   }
   for (auto& row : all) {
@@ -40,7 +41,7 @@ std::vector<SolutionAgreements> agreement_rows(const results::Run& run) {
     }
   }
   // A solution that is not applicable in any case gets no row.
-  std::erase_if(all, [](const SolutionAgreements& row) {
+  std::erase_if(all, [](const SolutionAgreementOverCases& row) {
     return std::ranges::all_of(row.entries, [](const SolutionAgreementInCase& entry) {
       return entry.solution == nullptr || entry.solution->status == transform::Status::not_offered;
     });
@@ -50,22 +51,22 @@ std::vector<SolutionAgreements> agreement_rows(const results::Run& run) {
 
 }  // namespace
 
-int SolutionAgreements::case_count() const {
+int SolutionAgreementOverCases::case_count() const {
   return static_cast<int>(entries.size()) -
          case_count_with_agreement(AgreementWithReference::absent);
 }
 
-int SolutionAgreements::reproduced_case_count() const {
+int SolutionAgreementOverCases::reproduced_case_count() const {
   return static_cast<int>(
       std::ranges::count_if(entries, &SolutionAgreementInCase::reproduces_reference));
 }
 
-int SolutionAgreements::case_count_with_agreement(AgreementWithReference agreement) const {
+int SolutionAgreementOverCases::case_count_with_agreement(AgreementWithReference agreement) const {
   return static_cast<int>(
       std::ranges::count(entries, agreement, &SolutionAgreementInCase::agreement));
 }
 
-std::optional<double> SolutionAgreements::largest_l1_of_marginal(
+std::optional<double> SolutionAgreementOverCases::largest_l1_distance_of_marginal(
     std::optional<double> SolutionAgreementInCase::*marginal) const {
   std::optional<double> most;
   for (const auto& entry : entries) {
@@ -75,12 +76,12 @@ std::optional<double> SolutionAgreements::largest_l1_of_marginal(
   return most;
 }
 
-std::optional<double> SolutionAgreements::largest_l1_distance() const {
-  return larger_of(largest_l1_of_marginal(&SolutionAgreementInCase::y),
-                   largest_l1_of_marginal(&SolutionAgreementInCase::ydot));
+std::optional<double> SolutionAgreementOverCases::largest_l1_distance() const {
+  return larger_of(largest_l1_distance_of_marginal(&SolutionAgreementInCase::y),
+                   largest_l1_distance_of_marginal(&SolutionAgreementInCase::ydot));
 }
 
-double SolutionAgreements::longest_seconds() const {
+double SolutionAgreementOverCases::longest_solve_seconds() const {
   double longest = 0;
   for (const auto& entry : entries) {
     if (entry.solution != nullptr) longest = std::max(longest, entry.solution->seconds);
@@ -88,21 +89,21 @@ double SolutionAgreements::longest_seconds() const {
   return longest;
 }
 
-void MarginalDistances::update_maximum_distances(const std::optional<double>& other_y,
-                                                 const std::optional<double>& other_ydot) {
+void MarginalDistances::update_largest_l1_distances(const std::optional<double>& other_y,
+                                                    const std::optional<double>& other_ydot) {
   y = larger_of(y, other_y);
   ydot = larger_of(ydot, other_ydot);
 }
 
-int total_case_count(const CaseNamesBySolution& cases) {
+int case_count_over_solutions(const CaseNamesBySolution& cases) {
   std::size_t count = 0;
   for (const auto& [id, names] : cases) count += names.size();
   return static_cast<int>(count);
 }
 
-const SolutionAgreements* RunAssessment::fastest_accurate_solution(double accuracy) const {
+const SolutionAgreementOverCases* RunAssessment::fastest_accurate_solution(double accuracy) const {
   const double error = std::max(reference_y_l1, reference_ydot_l1);
-  const SolutionAgreements* fastest = nullptr;
+  const SolutionAgreementOverCases* fastest = nullptr;
   for (const auto& row : rows) {
     const bool is_accurate =
         std::ranges::all_of(row.entries, [&](const SolutionAgreementInCase& entry) {
@@ -111,7 +112,8 @@ const SolutionAgreements* RunAssessment::fastest_accurate_solution(double accura
                  entry.ydot && *entry.largest_l1_distance() + error <= accuracy;
         });
     if (!is_accurate || transform::is_external(*row.identity)) continue;
-    if (fastest == nullptr || row.longest_seconds() < fastest->longest_seconds()) fastest = &row;
+    if (fastest == nullptr || row.longest_solve_seconds() < fastest->longest_solve_seconds())
+      fastest = &row;
   }
   return fastest;
 }
@@ -129,7 +131,7 @@ RunAssessment assess_run(const Run& run) {
     (second->has_agreement ? assessed.confirming : assessed.contradicting)[second->id].push_back(
         case_result.name());
     const auto& distances = *assessment.find_solution_assessment(second->id);
-    assessed.confirmation_distances.update_maximum_distances(distances.y, distances.ydot);
+    assessed.confirmation_distances.update_largest_l1_distances(distances.y, distances.ydot);
   }
   return assessed;
 }

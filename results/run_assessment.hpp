@@ -17,7 +17,7 @@ struct SolutionAgreementInCase : compare::SolutionAssessment {
 };
 
 /// The agreement of one solution with the references of all cases of a run.
-struct SolutionAgreements {
+struct SolutionAgreementOverCases {
   const transform::SolutionIdentity* identity;   ///< identity in the first case with the solution
   std::vector<SolutionAgreementInCase> entries;  ///< in the order of the cases
 
@@ -28,10 +28,10 @@ struct SolutionAgreements {
   /// Returns the largest L1 distance of one marginal density (p(y) or p(y')) from the references,
   /// over all cases in which the solution has a density. If the solution has no density in any
   /// case, the result is empty.
-  std::optional<double> largest_l1_of_marginal(
+  std::optional<double> largest_l1_distance_of_marginal(
       std::optional<double> SolutionAgreementInCase::*marginal) const;
   std::optional<double> largest_l1_distance() const;
-  double longest_seconds() const;
+  double longest_solve_seconds() const;
 };
 
 /// L1 distances of p(y) and p(y') from the reference, where known.
@@ -41,20 +41,20 @@ struct MarginalDistances {
   bool has_both_distances() const { return y && ydot; }
   bool has_any_distance() const { return y || ydot; }
   /// Replaces each stored distance by the corresponding argument if the argument is larger.
-  void update_maximum_distances(const std::optional<double>& other_y,
-                                const std::optional<double>& other_ydot);
+  void update_largest_l1_distances(const std::optional<double>& other_y,
+                                   const std::optional<double>& other_ydot);
 };
 
 /// Names of the cases that belong to each solution id.
 using CaseNamesBySolution = std::map<std::string, std::vector<std::string>>;
 /// Returns the number of cases, summed over all solutions.
-int total_case_count(const CaseNamesBySolution& cases);
+int case_count_over_solutions(const CaseNamesBySolution& cases);
 
 /// The assessment of a run over all its cases. The rows contain pointers to solutions and
 /// identities of the run.
 struct RunAssessment {
   /// One row for each solution id, by increasing trust.
-  std::vector<SolutionAgreements> rows = {};
+  std::vector<SolutionAgreementOverCases> rows = {};
   CaseNamesBySolution references = {};  ///< names of cases, by the id of the reference
   /// Largest L1 error estimates of the references over the cases; infinite if a case has no
   /// estimate.
@@ -69,7 +69,7 @@ struct RunAssessment {
   /// Returns the fastest solution with sufficient accuracy and status `ok` in every case, or null.
   /// External densities are excluded. The accuracy is sufficient if the L1 distance from the
   /// reference plus the error estimate of the reference is at most `accuracy`.
-  const SolutionAgreements* fastest_accurate_solution(double accuracy) const;
+  const SolutionAgreementOverCases* fastest_accurate_solution(double accuracy) const;
 };
 
 RunAssessment assess_run(const Run& run);

@@ -9,9 +9,9 @@
 #include <set>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
-#include "compare/assessment.hpp"
-#include "results/json.hpp"
+#include "base/text/printable_text.hpp"
+#include "compare/solution_assessment.hpp"
+#include "results/json_conversions.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::results {
@@ -43,7 +43,7 @@ Json pair_distances_json(const SolutionPairDistances& pair) {
 }
 
 Json budget_part_json(const ErrorBudgetPart& part) {
-  Json json{{"name", part.part_name()},
+  Json json{{"name", part.error_budget_part_name()},
             {"from", part.from},
             {"to", part.to},
             {"l1", part.l1},
@@ -93,7 +93,7 @@ Json moment_error_estimate_json(const MomentErrorEstimate& own) {
           {"error", moments_to_json(own.error)}};
 }
 
-Json limiting_error_json(const compare::LimitingErrorGroup& group) {
+Json limiting_error_json(const compare::ClosuresWithSameLimitingError& group) {
   return {{"part", group.part.empty() ? Json() : Json(group.part)},
           {"solutions", group.closures},
           {"least_fraction", group.least_fraction},
@@ -215,12 +215,12 @@ compare::GuaranteedBounds bounds_from_json(const Json& json) {
   return bounds;
 }
 
-compare::LimitingErrorGroup limiting_error_from_json(const Json& json,
-                                                     std::span<const ErrorBudgetRow> budget) {
-  compare::LimitingErrorGroup group{.part = {},
-                                    .closures = json.at("solutions"),
-                                    .least_fraction = json.at("least_fraction"),
-                                    .greatest_fraction = json.at("greatest_fraction")};
+compare::ClosuresWithSameLimitingError limiting_error_from_json(
+    const Json& json, std::span<const ErrorBudgetRow> budget) {
+  compare::ClosuresWithSameLimitingError group{.part = {},
+                                               .closures = json.at("solutions"),
+                                               .least_fraction = json.at("least_fraction"),
+                                               .greatest_fraction = json.at("greatest_fraction")};
   if (!json.at("part").is_null())
     group.part = compare::name(compare::parse_approximations(json.at("part").get<std::string>()));
   const bool known = std::ranges::all_of(group.closures, [&](const std::string& id) {
@@ -279,7 +279,7 @@ CaseResult case_from_json(const Json& json) {
   for (const auto& solution : json.at("solutions")) {
     case_result.solutions.push_back(solution_from_json(solution));
     if (!ids.insert(case_result.solutions.back().id()).second) {
-      throw InputError(base::sanitise(case_result.solutions.back().id()) +
+      throw InputError(base::to_printable_text(case_result.solutions.back().id()) +
                        " occurs twice; run again");
     }
   }
@@ -312,7 +312,7 @@ void require_summary_schema(const Json& json, const std::string& file_name) {
   }
   if (json.at("schema") != kSummarySchema) {
     throw InputError(fmt::format("{} has schema {}, but this program reads schema {}; run again",
-                                 file_name, base::sanitise(json.at("schema").dump()),
+                                 file_name, base::to_printable_text(json.at("schema").dump()),
                                  kSummarySchema));
   }
 }
@@ -339,12 +339,12 @@ Run read_run_summary(std::istream& in, const std::string& file_name) {
     for (const auto& case_result : json.at("cases")) {
       const auto name = case_result.at("name").get<std::string>();
       if (!names.insert(name).second) {
-        throw InputError(base::sanitise(name) + " occurs twice; run again");
+        throw InputError(base::to_printable_text(name) + " occurs twice; run again");
       }
       try {
         run.cases.push_back(case_from_json(case_result));
       } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", base::sanitise(name), error.what()));
+        throw InputError(fmt::format("{}: {}", base::to_printable_text(name), error.what()));
       }
     }
     if (json.contains("files")) {

@@ -12,7 +12,7 @@
 #include "base/files/file_transaction.hpp"
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "results/joint_netcdf.hpp"
 #include "results/marginals_csv.hpp"
 #include "results/run_json.hpp"
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using base::in_quotes;
-using base::sanitise;
+using base::to_printable_text;
 
 // Largest accepted size of a file of a run, which suffices for hundreds of cases.
 constexpr std::size_t kMaxTextBytes = 64 << 20;
@@ -33,11 +33,11 @@ std::istringstream open_saved_file(const fs::path& file) {
     if (!file.has_parent_path()) {
       throw InputError(
           fmt::format("{} is not a readable file; give the summary.json of a run, or its directory",
-                      sanitise(file.string())));
+                      to_printable_text(file.string())));
     }
-    throw InputError(
-        fmt::format("no run in {}: {} is not a readable file; give the --out directory of a run",
-                    in_quotes(file.parent_path().string()), sanitise(file.filename().string())));
+    throw InputError(fmt::format(
+        "no run in {}: {} is not a readable file; give the --out directory of a run",
+        in_quotes(file.parent_path().string()), to_printable_text(file.filename().string())));
   }
   return std::istringstream(*std::move(text));
 }
@@ -45,7 +45,7 @@ std::istringstream open_saved_file(const fs::path& file) {
 [[noreturn]] void refuse_other_run(const fs::path& file) {
   throw InputError(fmt::format(
       "{} and {} in {} are not of the same run, or were changed; run again", kSummaryFile,
-      sanitise(file.filename().string()), in_quotes(file.parent_path().string())));
+      to_printable_text(file.filename().string()), in_quotes(file.parent_path().string())));
 }
 
 CaseResult* find_case(Run& run, const std::string& name) {
@@ -173,7 +173,7 @@ void add_run_files(base::FileTransaction& files, const fs::path& directory, cons
 Run load_run_summary(const fs::path& file) {
   base::recover_interrupted_commit(file.parent_path());
   auto in = open_saved_file(file);
-  return read_run_summary(in, sanitise(file.string()));
+  return read_run_summary(in, to_printable_text(file.string()));
 }
 
 void load_marginal_curves(const fs::path& file, Run& run) {

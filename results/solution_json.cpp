@@ -1,4 +1,4 @@
-#include "results/json.hpp"
+#include "results/json_conversions.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 
 namespace fpkcheck::results {
 namespace {
@@ -71,7 +71,7 @@ void read_solution_identity(const Json& json, SolutionIdentity& identity) {
       base::enum_from_name<transform::SolutionRole>(json.at("role").get<std::string>());
   if (!role)
     throw InputError(
-        fmt::format("unknown role {}; run again", base::sanitise(json.at("role").dump())));
+        fmt::format("unknown role {}; run again", base::to_printable_text(json.at("role").dump())));
   identity.role = *role;
   identity.family = json.at("family");
   identity.formulation = json.at("formulation");

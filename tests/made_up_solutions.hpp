@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "compare/comparison_axes.hpp"
+#include "compare/comparison_bins.hpp"
 #include "paper_cases.hpp"
 #include "results/run.hpp"
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 #include "trapezoid.hpp"
 
 /// Synthetic solutions for tests. Shapes and sizes of the differences are similar to those of a
@@ -76,7 +76,7 @@ inline transform::Solution solution(const transform::SolutionIdentity& solution_
 }
 
 /// A histogram of `samples` independent samples of the density on the axes, with 95 % intervals.
-inline transform::Solution simulation(const compare::ComparisonAxes& axes,
+inline transform::Solution simulation(const compare::ComparisonBins& axes,
                                       const transform::SmoothDensity& density, double samples) {
   auto s = solution(
       identity("mcs", "mcs", problem::DensityEquation::kf, problem::ImpactCondition::exact),
@@ -117,7 +117,7 @@ inline transform::Solution solution_without_density(
 
 /// Eight solutions of a case by increasing trust: four closures, three finite-volume solutions, the
 /// simulation.
-inline std::vector<transform::Solution> made_up_solutions(const compare::ComparisonAxes& axes) {
+inline std::vector<transform::Solution> made_up_solutions(const compare::ComparisonBins& axes) {
   const double y_max = axes.y_edges.back(), v_max = axes.v_edges.back();
   const auto shape = [&](const Shape& s) { return smooth_density(s, y_max, v_max); };
   using problem::DensityEquation;
@@ -145,14 +145,14 @@ inline std::vector<transform::Solution> made_up_solutions(const compare::Compari
 inline results::CaseResult made_up_case(const std::string& name = "case1") {
   auto problem = paper_case(1);
   problem.name = name;
-  const auto axes = compare::comparison_axes(problem);
+  const auto axes = compare::comparison_bins(problem);
   return results::make_case_result(problem, axes, made_up_solutions(axes));
 }
 
 /// Adds the estimates with control variates to a simulation: averages of a density over smooth
 /// bins, every other average increased by a standard error, all independent.
 inline void add_smooth_estimates(transform::Solution& simulation,
-                                 const compare::ComparisonAxes& axes,
+                                 const compare::ComparisonBins& axes,
                                  const transform::SmoothDensity& density, double error) {
   for (const auto variable : transform::kVariables) {
     const auto& edges = compare::comparison_bin_edges(axes, variable);
@@ -185,7 +185,7 @@ inline void add_smooth_estimates(transform::Solution& simulation,
 /// made_up_case() with estimates by control variates in the simulation.
 inline results::CaseResult made_up_case_with_control_variates(double error = 1e-6) {
   const auto problem = made_up_case().problem;
-  const auto axes = compare::comparison_axes(problem);
+  const auto axes = compare::comparison_bins(problem);
   auto solutions = made_up_solutions(axes);
   add_smooth_estimates(
       solutions.back(), axes,

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "numerics/interpolation.hpp"
+#include "numerics/chebyshev_interpolation.hpp"
 
 namespace fpkcheck::transform {
 namespace {
@@ -23,7 +23,7 @@ constexpr double kOvershootTolerance = 1e-6;
 // Returns the weights of the bin masses in the Lagrange interpolation of the cumulative
 // distribution at x. The weights exclude the bins before the bin of x, whose masses enter with
 // weight 1.
-ConservativeRemap::InterpolationStencil ConservativeRemap::interpolation_stencil(
+ConservativeRemap::InterpolationStencil ConservativeRemap::cumulative_interpolation_stencil(
     std::span<const double> edges, double x) {
   const auto above = std::ranges::lower_bound(edges, x);
   if (above == edges.end()) return {edges.size() - 1, 0, {}};
@@ -56,7 +56,7 @@ ConservativeRemap::InterpolationStencil ConservativeRemap::interpolation_stencil
 
 ConservativeRemap::ConservativeRemap(std::span<const double> source,
                                      std::span<const double> target) {
-  for (const double edge : target) edges_.push_back(interpolation_stencil(source, edge));
+  for (const double edge : target) edges_.push_back(cumulative_interpolation_stencil(source, edge));
 }
 
 std::vector<double> ConservativeRemap::operator()(std::span<const double> masses) const {

@@ -36,7 +36,8 @@ class ConservativeRemap {
     std::size_t first;
     std::vector<double> weights;
   };
-  static InterpolationStencil interpolation_stencil(std::span<const double> source_edges, double x);
+  static InterpolationStencil cumulative_interpolation_stencil(std::span<const double> source_edges,
+                                                               double x);
 
   std::vector<InterpolationStencil> edges_;
 };

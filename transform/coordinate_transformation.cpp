@@ -26,7 +26,9 @@ std::vector<double> transform_edges(std::vector<double> edges, bool mirrored,
 using Edges = std::vector<double>;
 
 Edges exact_y_edges(const problem::WallFrame& frame, const Edges& x_edges, const Edges& y_edges) {
-  return x_edges == to_x_edges(frame, y_edges) ? y_edges : to_y_edges(frame, x_edges);
+  return x_edges == wall_coordinate_edges(frame, y_edges)
+             ? y_edges
+             : y_edges_from_wall_coordinates(frame, x_edges);
 }
 
 GridDensity to_physical_form(const problem::WallFrame& frame, GridDensity grid,
@@ -41,9 +43,10 @@ GridDensity to_physical_form(const problem::WallFrame& frame, GridDensity grid,
 SmoothDensity to_physical_form(const problem::WallFrame& frame, SmoothDensity smooth,
                                const Edges&) {
   const double from = frame.physical_y(smooth.y_min), to = frame.physical_y(smooth.y_max);
-  return {.value = [frame, value = std::move(smooth.value)](
-                       double y,
-                       double v) { return value(frame.wall_x(y), frame.physical_velocity(v)); },
+  return {.value =
+              [frame, value = std::move(smooth.value)](double y, double v) {
+                return value(frame.wall_coordinate(y), frame.physical_velocity(v));
+              },
           .y_max = std::max(from, to),
           .v_max = smooth.v_max,
           .y_min = std::min(from, to)};
@@ -63,14 +66,15 @@ Marginal to_physical_form(const problem::WallFrame& frame, StateVariable variabl
 
 }  // namespace
 
-std::vector<double> to_y_edges(const problem::WallFrame& frame,
-                               const std::vector<double>& x_edges) {
+std::vector<double> y_edges_from_wall_coordinates(const problem::WallFrame& frame,
+                                                  const std::vector<double>& x_edges) {
   return transform_edges(x_edges, frame.mirrored, [&](double x) { return frame.physical_y(x); });
 }
 
-std::vector<double> to_x_edges(const problem::WallFrame& frame,
-                               const std::vector<double>& y_edges) {
-  return transform_edges(y_edges, frame.mirrored, [&](double y) { return frame.wall_x(y); });
+std::vector<double> wall_coordinate_edges(const problem::WallFrame& frame,
+                                          const std::vector<double>& y_edges) {
+  return transform_edges(y_edges, frame.mirrored,
+                         [&](double y) { return frame.wall_coordinate(y); });
 }
 
 std::vector<double> transform_v_edges(const problem::WallFrame& frame,

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "problem/walls.hpp"
-#include "transform/density.hpp"
+#include "transform/joint_density.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::transform {
@@ -24,10 +24,13 @@ struct ZhuravlevDensity {
 /// The marginals of p(y, v) are paper (30) and (34). The density of (z, z') need not be symmetric.
 SmoothDensity zhuravlev_transform(ZhuravlevDensity density);
 
-/// The function to_y_edges() transforms increasing cell edges from wall coordinates x to physical
-/// coordinates y. The function to_x_edges() is the inverse transformation.
-std::vector<double> to_y_edges(const problem::WallFrame& frame, const std::vector<double>& x_edges);
-std::vector<double> to_x_edges(const problem::WallFrame& frame, const std::vector<double>& y_edges);
+/// The function y_edges_from_wall_coordinates() transforms increasing cell edges from wall
+/// coordinates x to physical coordinates y. The function wall_coordinate_edges() is the inverse
+/// transformation.
+std::vector<double> y_edges_from_wall_coordinates(const problem::WallFrame& frame,
+                                                  const std::vector<double>& x_edges);
+std::vector<double> wall_coordinate_edges(const problem::WallFrame& frame,
+                                          const std::vector<double>& y_edges);
 /// Transforms increasing cell edges of the velocity from wall to physical coordinates or back. The
 /// transformation of velocity edges is its own inverse, since at most the sign of the velocity
 /// changes.
@@ -37,8 +40,9 @@ std::vector<double> transform_v_edges(const problem::WallFrame& frame,
 /// The function to_physical_coordinates() transforms a density of (x, x') in wall coordinates to a
 /// density of (y, y') in physical coordinates. The function to_wall_coordinates() is the inverse
 /// transformation.
-/// @param y_edges cell edges in y. Edges of the density equal to to_x_edges(frame, y_edges) become
-/// exactly `y_edges`, without rounding errors, since histograms are compared only on equal edges.
+/// @param y_edges cell edges in y. Edges of the density equal to wall_coordinate_edges(frame,
+/// y_edges) become exactly `y_edges`, without rounding errors, since histograms are compared only
+/// on equal edges.
 Density to_physical_coordinates(const problem::WallFrame& frame, Density density,
                                 const std::vector<double>& y_edges = {});
 Density to_wall_coordinates(const problem::WallFrame& frame, Density density);

@@ -10,7 +10,7 @@ std::optional<PassageStartState> passage_start_state(
     const problem::Problem& transformed, double barrier,
     const std::optional<PassageStartState>& given) {
   if (given) {
-    return PassageStartState{transformed.frame.wall_x(given->y),
+    return PassageStartState{transformed.frame.wall_coordinate(given->y),
                              transformed.frame.physical_velocity(given->ydot)};
   }
   const auto rest = problem::rest_displacement(transformed, barrier);
@@ -18,7 +18,8 @@ std::optional<PassageStartState> passage_start_state(
 }
 
 double energy_level_in_wall_coordinates(const problem::Problem& transformed, double energy) {
-  return energy + problem::EffectivePotential(transformed.system)(transformed.frame.wall_x(0));
+  return energy +
+         problem::EffectivePotential(transformed.system)(transformed.frame.wall_coordinate(0));
 }
 
 std::vector<double> automatic_survival_times(double mean_passage_time) {

@@ -26,7 +26,8 @@ Marginal richardson_limit(const Marginal& middle, const Marginal& fine, double f
 
 }  // namespace
 
-double error_from_differences(double before, double last, double reduction_ratio, double factor) {
+double richardson_error_from_differences(double before, double last, double reduction_ratio,
+                                         double factor) {
   return factor * std::max(std::abs(last), std::abs(before) / reduction_ratio);
 }
 
@@ -46,21 +47,22 @@ std::vector<double> errors_with_common_order(std::span<const double> before,
   const double reduction = std::pow(ratio, order);
   std::vector<double> errors;
   for (std::size_t k = 0; k < last.size(); ++k) {
-    errors.push_back(kErrorSafetyFactor *
-                     error_from_differences(before[k], last[k], reduction, 1 / (reduction - 1)));
+    errors.push_back(kErrorSafetyFactor * richardson_error_from_differences(
+                                              before[k], last[k], reduction, 1 / (reduction - 1)));
   }
   return errors;
 }
 
-GridLevel make_grid_level(const Solution& solution, std::span<const double> y_edges,
-                          std::span<const double> ydot_edges) {
-  GridLevel level{marginal(solution, StateVariable::y, y_edges),
-                  marginal(solution, StateVariable::ydot, ydot_edges), solution.moments};
+GridLevelSolution make_grid_level(const Solution& solution, std::span<const double> y_edges,
+                                  std::span<const double> ydot_edges) {
+  GridLevelSolution level{marginal(solution, StateVariable::y, y_edges),
+                          marginal(solution, StateVariable::ydot, ydot_edges), solution.moments};
   for (const RestAtom& atom : solution.atoms) level.rest_probabilities.push_back(atom.probability);
   return level;
 }
 
-GridLevelDifference grid_level_difference(const GridLevel& coarser, const GridLevel& finer) {
+GridLevelDifference grid_level_difference(const GridLevelSolution& coarser,
+                                          const GridLevelSolution& finer) {
   GridLevelDifference grid_level_difference{.y_l1 = l1_distance(coarser.y, finer.y),
                                             .ydot_l1 = l1_distance(coarser.ydot, finer.ydot),
                                             .moments = {},
@@ -115,17 +117,18 @@ RichardsonEstimate richardson_estimate(const GridLevelDifference& before,
       .factor = 1 / (reduction_ratio - 1),
       .error = {.y_l1 = last.y_l1 * credible, .ydot_l1 = last.ydot_l1 * credible}};
   for (const auto& [name, symbol, moment, size] : kMoments) {
-    result.error.moments.*moment = error_from_differences(
+    result.error.moments.*moment = richardson_error_from_differences(
         before.moments.*moment, last.moments.*moment, reduction_ratio, credible);
   }
   for (std::size_t k = 0; k < last.rest_probabilities.size(); ++k) {
-    result.rest_probabilities.push_back(error_from_differences(
+    result.rest_probabilities.push_back(richardson_error_from_differences(
         before.rest_probabilities[k], last.rest_probabilities[k], reduction_ratio, credible));
   }
   const double impact_rate_ratio =
       std::clamp(std::abs(before.impact_rate / last.impact_rate), ratio, reduction_ratio);
-  result.impact_rate = error_from_differences(before.impact_rate, last.impact_rate, reduction_ratio,
-                                              std::max(credible, 1 / (impact_rate_ratio - 1)));
+  result.impact_rate =
+      richardson_error_from_differences(before.impact_rate, last.impact_rate, reduction_ratio,
+                                        std::max(credible, 1 / (impact_rate_ratio - 1)));
   return result;
 }
 
@@ -137,7 +140,8 @@ Moments richardson_limit(const Moments& fine, const GridLevelDifference& last, d
   return limit;
 }
 
-GridLevel richardson_limit(const GridLevel& middle, const GridLevel& fine, double factor) {
+GridLevelSolution richardson_limit(const GridLevelSolution& middle, const GridLevelSolution& fine,
+                                   double factor) {
   return {richardson_limit(middle.y, fine.y, factor),
           richardson_limit(middle.ydot, fine.ydot, factor),
           richardson_limit(fine.moments, grid_level_difference(middle, fine), factor)};

@@ -45,7 +45,8 @@ bool has_richardson_limit(double observed, int scheme_order);
 /// therefore returns `factor` times the larger of the last difference and the previous difference
 /// divided by the reduction ratio R.
 /// @param factor ratio of the error to the last difference, about 1 / (R - 1)
-double error_from_differences(double before, double last, double reduction_ratio, double factor);
+double richardson_error_from_differences(double before, double last, double reduction_ratio,
+                                         double factor);
 
 /// Returns error estimates of quantities on the finest of three grids, with the factor of safety
 /// kErrorSafetyFactor. All quantities have the order of convergence that is observed in the sum of
@@ -62,7 +63,7 @@ std::vector<double> errors_with_common_order(std::span<const double> before,
 
 /// The converging quantities of a solution on one grid level: marginals, moments, probabilities of
 /// the atoms at rest, and impact rate.
-struct GridLevel {
+struct GridLevelSolution {
   Marginal y;
   Marginal ydot;
   Moments moments;
@@ -72,8 +73,8 @@ struct GridLevel {
 };
 /// Returns the converging quantities of a solution, with marginals over the bins between the edges.
 /// @throws std::logic_error if the solution has no density
-GridLevel make_grid_level(const Solution& solution, std::span<const double> y_edges,
-                          std::span<const double> ydot_edges);
+GridLevelSolution make_grid_level(const Solution& solution, std::span<const double> y_edges,
+                                  std::span<const double> ydot_edges);
 
 /// The differences of the converging quantities between two consecutive grid levels.
 struct GridLevelDifference {
@@ -85,7 +86,8 @@ struct GridLevelDifference {
 };
 /// @throws std::invalid_argument if the marginals have different bins or the numbers of atoms
 /// differ
-GridLevelDifference grid_level_difference(const GridLevel& coarser, const GridLevel& finer);
+GridLevelDifference grid_level_difference(const GridLevelSolution& coarser,
+                                          const GridLevelSolution& finer);
 
 /// The observed convergence orders log(|u_1 - u_0| / |u_2 - u_1|) / log(q) of different quantities
 /// u.
@@ -122,6 +124,7 @@ RichardsonEstimate richardson_estimate(const GridLevelDifference& before,
 /// Returns the Richardson limit of the moments, or of the marginals and moments, from the two
 /// finest grid levels. Extrapolated bin averages near 0 may be negative.
 Moments richardson_limit(const Moments& fine, const GridLevelDifference& last, double factor);
-GridLevel richardson_limit(const GridLevel& middle, const GridLevel& fine, double factor);
+GridLevelSolution richardson_limit(const GridLevelSolution& middle, const GridLevelSolution& fine,
+                                   double factor);
 
 }  // namespace fpkcheck::transform

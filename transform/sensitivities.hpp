@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "transform/density.hpp"
-#include "transform/marginal.hpp"
+#include "transform/joint_density.hpp"
+#include "transform/marginal_density.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::transform {

@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 namespace fpkcheck::transform {
 

@@ -7,12 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "base/options/parameter.hpp"
-#include "transform/density.hpp"
-#include "transform/marginal.hpp"
-#include "transform/metric.hpp"
+#include "base/options/parameter_value.hpp"
+#include "transform/joint_density.hpp"
+#include "transform/marginal_density.hpp"
 #include "transform/smooth_bins.hpp"
 #include "transform/solution_identity.hpp"
+#include "transform/solver_metric.hpp"
 
 namespace fpkcheck::transform {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "base/options/enum_names.hpp"
-#include "problem/model.hpp"
+#include "problem/equation_and_impact_condition.hpp"
 
 namespace fpkcheck::transform {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::transform {

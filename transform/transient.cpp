@@ -6,7 +6,8 @@
 namespace fpkcheck::transform {
 namespace {
 
-ErrorEstimate absolute_difference(const TransientSnapshot& a, const TransientSnapshot& b) {
+ErrorEstimate absolute_difference(const TransientDensitySnapshot& a,
+                                  const TransientDensitySnapshot& b) {
   ErrorEstimate result{.y_l1 = l1_distance(a.y, b.y), .ydot_l1 = l1_distance(a.ydot, b.ydot)};
   for (const auto& [name, symbol, moment, size] : kMoments) {
     result.moments.*moment = std::abs(a.moments.*moment - b.moments.*moment);
@@ -24,8 +25,9 @@ void increase_errors_to(const ErrorEstimate& other, ErrorEstimate& error) {
 
 }  // namespace
 
-void estimate_errors_by_differences(const std::vector<TransientSnapshot>& less_accurate,
-                                    double half_period, std::vector<TransientSnapshot>& snapshots) {
+void estimate_errors_by_differences(const std::vector<TransientDensitySnapshot>& less_accurate,
+                                    double half_period,
+                                    std::vector<TransientDensitySnapshot>& snapshots) {
   const std::size_t count = std::min(less_accurate.size(), snapshots.size());
   std::vector<ErrorEstimate> differences;
   for (std::size_t k = 0; k < count; ++k) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "problem/initial_density.hpp"
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 #include "transform/solution.hpp"
 
 namespace fpkcheck::transform {
@@ -26,7 +26,7 @@ struct TransientRequest {
 };
 
 /// The density at one time, in physical coordinates.
-struct TransientSnapshot {
+struct TransientDensitySnapshot {
   double time = 0;
   Moments moments = {};
   Marginal y = {}, ydot = {};  ///< averages of p(y, t) and p(y', t) over the bins
@@ -42,7 +42,7 @@ struct TransientDensities {
   std::string reason = {};  ///< reason of the status, one sentence; empty only for status ok
   double seconds = 0;
   bool has_standard_errors = false;  ///< whether the errors are standard errors of a simulation
-  std::vector<TransientSnapshot> snapshots =
+  std::vector<TransientDensitySnapshot> snapshots =
       {};                    ///< snapshots up to the last time that was reached
   std::string details = {};  ///< grid, order or number of paths, for tables
 };
@@ -53,7 +53,8 @@ struct TransientDensities {
 /// differences oscillate and a single difference may be 0 by chance.
 /// @param less_accurate less accurate snapshots at the same times and with the same bins; the last
 /// times may be missing
-void estimate_errors_by_differences(const std::vector<TransientSnapshot>& less_accurate,
-                                    double half_period, std::vector<TransientSnapshot>& snapshots);
+void estimate_errors_by_differences(const std::vector<TransientDensitySnapshot>& less_accurate,
+                                    double half_period,
+                                    std::vector<TransientDensitySnapshot>& snapshots);
 
 }  // namespace fpkcheck::transform

@@ -37,7 +37,7 @@ bool is_narrow_enough(const FunctionalBounds& bound, const BoundsOptions& option
 }
 
 // Reason why the refinement of the grids stopped for a functional.
-struct StopReason {
+struct RefinementStopReason {
   enum class Cause {
     none,         // the refinement continues, or the bounds have the requested half-width
     time_limit,   // the next grid would end after the time limit
@@ -50,7 +50,7 @@ struct StopReason {
 };
 
 // The next grid of a functional in its sequence of grids.
-struct NextGrid {
+struct NextRefinementGrid {
   std::size_t level = 0;
   bool skips_a_grid = false;    // whether the grid before this grid was not computed
   double expected_seconds = 0;  // expected computing time; 0 for the first grid
@@ -59,15 +59,16 @@ struct NextGrid {
 // State of the refinement of the grids.
 struct GridRefinement {
   GuaranteedBounds bounds;
-  std::vector<StopReason> stop_reasons;  // one element for each functional
-  std::vector<NextGrid> next_grids;      // one element for each functional
+  std::vector<RefinementStopReason> stop_reasons;  // one element for each functional
+  std::vector<NextRefinementGrid> next_grids;      // one element for each functional
 };
 
 // Returns the grid after the grid `last`. The second grid is skipped if the requested half-width
 // probably requires the third grid and the time suffices for the third grid. Finer grids are not
 // skipped, since each of the finest grids gives the narrowest bounds of some functional.
-NextGrid select_next_grid(const NextGrid& last, double last_seconds, const FunctionalBounds& bound,
-                          const BoundsOptions& options, double seconds_left) {
+NextRefinementGrid select_next_grid(const NextRefinementGrid& last, double last_seconds,
+                                    const FunctionalBounds& bound, const BoundsOptions& options,
+                                    double seconds_left) {
   // Ratio of the half-widths of successive grids, which is 2 to 5 in the cases of the paper
   constexpr double kWidthRatio = 3;
   const double requested = requested_half_width(bound, options);
@@ -75,34 +76,36 @@ NextGrid select_next_grid(const NextGrid& last, double last_seconds, const Funct
   const bool skips = last.level == 0 && requested > 0 &&
                      bound.enclosure.half_width() > kWidthRatio * requested &&
                      kMaxGridTimeRatio * seconds <= seconds_left;
-  return skips ? NextGrid{last.level + 2, true, kMaxGridTimeRatio * seconds}
-               : NextGrid{last.level + 1, false, seconds};
+  return skips ? NextRefinementGrid{last.level + 2, true, kMaxGridTimeRatio * seconds}
+               : NextRefinementGrid{last.level + 1, false, seconds};
 }
 
 using FunctionalIndices = std::vector<std::size_t>;
 
 // A spline grid and the functionals whose bounds are computed next on the grid.
-struct GridGroup {
+struct SplineGridAndFunctionals {
   SplineGrid grid;
   FunctionalIndices functional_indices;
 };
 
 // Groups the functionals whose bounds are wider than requested. All functionals of a group have the
-// same next grid. Stores a StopReason for each functional whose grid sequence is exhausted.
-std::vector<GridGroup> group_by_next_grid(const BoundsOptions& options,
-                                          GridRefinement& refinement) {
-  std::vector<GridGroup> groups;
+// same next grid. Stores a RefinementStopReason for each functional whose grid sequence is
+// exhausted.
+std::vector<SplineGridAndFunctionals> group_by_next_grid(const BoundsOptions& options,
+                                                         GridRefinement& refinement) {
+  std::vector<SplineGridAndFunctionals> groups;
   for (std::size_t i = 0; i < refinement.bounds.functional_bounds.size(); ++i) {
     const FunctionalBounds& bound = refinement.bounds.functional_bounds[i];
-    StopReason& stop_reason = refinement.stop_reasons[i];
-    if (stop_reason.cause != StopReason::Cause::none || is_narrow_enough(bound, options)) continue;
-    const auto grids = spline_grid_sequence(width_limiting_feature(bound.functional));
+    RefinementStopReason& stop_reason = refinement.stop_reasons[i];
+    if (stop_reason.cause != RefinementStopReason::Cause::none || is_narrow_enough(bound, options))
+      continue;
+    const auto grids = spline_grid_sequence(bound_width_limiting_feature(bound.functional));
     const std::size_t level = refinement.next_grids[i].level;
     if (level >= grids.size()) {
-      stop_reason.cause = StopReason::Cause::finest_grid;
+      stop_reason.cause = RefinementStopReason::Cause::finest_grid;
       continue;
     }
-    const auto same = std::ranges::find(groups, grids[level], &GridGroup::grid);
+    const auto same = std::ranges::find(groups, grids[level], &SplineGridAndFunctionals::grid);
     if (same == groups.end()) {
       groups.push_back({grids[level], {i}});
     } else {
@@ -140,7 +143,7 @@ std::vector<StationaryFunctional> supported_functionals(
     const problem::System& system, std::vector<StationaryFunctional> functionals) {
   if (system.left_wall().has_value() == system.right_wall().has_value()) {
     std::erase_if(functionals,
-                  [](const auto& f) { return std::holds_alternative<ImpactMomentum>(f); });
+                  [](const auto& f) { return std::holds_alternative<ImpactMomentumFlux>(f); });
   }
   return functionals;
 }
@@ -148,7 +151,7 @@ std::vector<StationaryFunctional> supported_functionals(
 // Computes bounds on finer and finer grids, until every bound has the requested half-width or a
 // stop reason.
 GridRefinement refine_grids(const problem::Problem& problem, const BoundsOptions& options) {
-  const ResidualWeight tau = make_residual_weight(problem, kWeightExponent);
+  const ResidualWeightFunctionOfEnergy tau = make_residual_weight(problem, kWeightExponent);
   GridRefinement result;
   for (const StationaryFunctional& f : options.functionals) {
     result.bounds.functional_bounds.push_back({f, {-HUGE_VAL, HUGE_VAL}});
@@ -165,32 +168,33 @@ GridRefinement refine_grids(const problem::Problem& problem, const BoundsOptions
       for (const std::size_t i : indices)
         seconds = std::max(seconds, result.next_grids[i].expected_seconds);
       const double expected = stopwatch.seconds() + seconds;
-      const auto stop_or_return_to_skipped_grid = [&result,
-                                                   &ended = indices](const StopReason& reason) {
-        for (const std::size_t i : ended) {
-          NextGrid& next = result.next_grids[i];
-          if (next.skips_a_grid) {
-            next = {next.level - 1, false, next.expected_seconds / kMaxGridTimeRatio};
-          } else {
-            result.stop_reasons[i] = reason;
-          }
-        }
-      };
+      const auto stop_or_return_to_skipped_grid =
+          [&result, &ended = indices](const RefinementStopReason& reason) {
+            for (const std::size_t i : ended) {
+              NextRefinementGrid& next = result.next_grids[i];
+              if (next.skips_a_grid) {
+                next = {next.level - 1, false, next.expected_seconds / kMaxGridTimeRatio};
+              } else {
+                result.stop_reasons[i] = reason;
+              }
+            }
+          };
       if (seconds > 0 && expected > options.time_limit_seconds) {
-        stop_or_return_to_skipped_grid({StopReason::Cause::time_limit, expected});
+        stop_or_return_to_skipped_grid({RefinementStopReason::Cause::time_limit, expected});
         continue;
       }
       std::vector<StationaryFunctional> functionals;
       for (const std::size_t i : indices) functionals.push_back(options.functionals[i]);
       const base::Stopwatch grid_stopwatch;
       SplineGridDiagnostics diagnostics;
-      SplineGridBounds grid_bounds{grid, 0, 0, indices, {}};
+      BoundsOnSplineGrid grid_bounds{grid, 0, 0, indices, {}};
       try {
         grid_bounds.enclosures = compute_bounds_on_grid(problem, tau, grid, functionals,
                                                         thread_count(options), &diagnostics);
-      } catch (const FitFailure& failure) {
+      } catch (const LeastSquaresFitFailure& failure) {
         // The fit would also fail on finer grids.
-        stop_or_return_to_skipped_grid({StopReason::Cause::fit_failure, 0, failure.what()});
+        stop_or_return_to_skipped_grid(
+            {RefinementStopReason::Cause::fit_failure, 0, failure.what()});
         continue;
       }
       grid_bounds.unknown_count = diagnostics.unknown_count;
@@ -204,7 +208,7 @@ GridRefinement refine_grids(const problem::Problem& problem, const BoundsOptions
           throw std::logic_error("bounds of " + functional_name(functionals[n]) +
                                  " from two grids are disjoint");
         }
-        NextGrid& next = result.next_grids[indices[n]];
+        NextRefinementGrid& next = result.next_grids[indices[n]];
         next = select_next_grid(next, grid_bounds.computing_seconds, bound, options,
                                 options.time_limit_seconds - stopwatch.seconds());
       }
@@ -228,7 +232,7 @@ GridRefinement refine_grids_of_mirrored_problem(const problem::Problem& problem,
     restore_sign(bound.functional, bound.enclosure);
     bound.functional = mirror_functional(bound.functional);
   }
-  for (SplineGridBounds& grid_bounds : result.bounds.grid_bounds) {
+  for (BoundsOnSplineGrid& grid_bounds : result.bounds.grid_bounds) {
     for (std::size_t n = 0; n < grid_bounds.functional_indices.size(); ++n) {
       restore_sign(result.bounds.functional_bounds[grid_bounds.functional_indices[n]].functional,
                    grid_bounds.enclosures[n]);
@@ -238,7 +242,7 @@ GridRefinement refine_grids_of_mirrored_problem(const problem::Problem& problem,
 }
 
 // Returns the names of the functionals whose refinement stopped by the given cause.
-std::vector<std::string> functionals_stopped_by(StopReason::Cause cause,
+std::vector<std::string> functionals_stopped_by(RefinementStopReason::Cause cause,
                                                 const GridRefinement& refinement) {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < refinement.stop_reasons.size(); ++i) {
@@ -252,20 +256,23 @@ std::vector<std::string> functionals_stopped_by(StopReason::Cause cause,
 // the user can change.
 std::string unmet_width_reason(const GridRefinement& refinement, const BoundsOptions& options) {
   const auto& reasons = refinement.stop_reasons;
-  if (const auto names = functionals_stopped_by(StopReason::Cause::time_limit, refinement);
+  if (const auto names =
+          functionals_stopped_by(RefinementStopReason::Cause::time_limit, refinement);
       !names.empty()) {
     double seconds = 0;
-    for (const StopReason& reason : reasons) seconds = std::max(seconds, reason.expected_seconds);
+    for (const RefinementStopReason& reason : reasons)
+      seconds = std::max(seconds, reason.expected_seconds);
     return fmt::format(
         "guaranteed, but wider than requested: the next grid for {} would end after {:.2g} s; "
         "increase --seconds above {:g}",
         fmt::join(names, ", "), seconds, options.time_limit_seconds);
   }
-  if (const auto names = functionals_stopped_by(StopReason::Cause::finest_grid, refinement);
+  if (const auto names =
+          functionals_stopped_by(RefinementStopReason::Cause::finest_grid, refinement);
       !names.empty()) {
     double widest = 0, relative = 0;
     for (std::size_t i = 0; i < reasons.size(); ++i) {
-      if (reasons[i].cause != StopReason::Cause::finest_grid) continue;
+      if (reasons[i].cause != RefinementStopReason::Cause::finest_grid) continue;
       const numerics::Enclosure& value = refinement.bounds.functional_bounds[i].enclosure;
       widest = std::max(widest, value.half_width());
       relative = std::max(relative, value.half_width() / std::abs(value.midpoint()));
@@ -277,8 +284,8 @@ std::string unmet_width_reason(const GridRefinement& refinement, const BoundsOpt
             ? fmt::format("--width {:.2g}", round_up_to_two_digits(relative))
             : fmt::format("--absolute-width {:.2g}", round_up_to_two_digits(widest)));
   }
-  const auto failure =
-      std::ranges::find(reasons, StopReason::Cause::fit_failure, &StopReason::cause);
+  const auto failure = std::ranges::find(reasons, RefinementStopReason::Cause::fit_failure,
+                                         &RefinementStopReason::cause);
   return fmt::format("guaranteed, but wider than requested: {}",
                      failure == reasons.end() ? "" : failure->error_message);
 }
@@ -304,7 +311,7 @@ GuaranteedBounds compute_guaranteed_bounds(const problem::Problem& problem,
     const FunctionalBounds& b = result.functional_bounds[i];
     if (std::isfinite(b.enclosure.half_width())) continue;
     result.status = BoundsStatus::failed;
-    result.reason = refinement.stop_reasons[i].cause == StopReason::Cause::fit_failure
+    result.reason = refinement.stop_reasons[i].cause == RefinementStopReason::Cause::fit_failure
                         ? refinement.stop_reasons[i].error_message
                         : "no finite bounds of " + functional_name(b.functional);
     return result;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "backward/bounds/functional.hpp"
+#include "backward/bounds/bounded_expectation.hpp"
 #include "backward/bounds/options.hpp"
 #include "backward/bounds/spline_grid.hpp"
 #include "base/options/enum_names.hpp"
@@ -34,7 +34,7 @@ struct FunctionalBounds {
 };
 
 /// Bounds that were computed on one spline grid, independently of all other grids.
-struct SplineGridBounds {
+struct BoundsOnSplineGrid {
   SplineGrid grid;
   int unknown_count;         ///< number of unknown spline coefficients of a certificate
   double computing_seconds;  ///< wall-clock time of the computation on this grid
@@ -53,7 +53,7 @@ struct GuaranteedBounds {
   /// Bounds of the functionals, in the order of BoundsOptions::functionals. The impact momentum w1
   /// is omitted unless the oscillator has exactly one wall.
   std::vector<FunctionalBounds> functional_bounds;
-  std::vector<SplineGridBounds> grid_bounds;  ///< grids in the order of their computation
+  std::vector<BoundsOnSplineGrid> grid_bounds;  ///< grids in the order of their computation
 };
 
 /// Computes guaranteed bounds of stationary expectations of the oscillator under impulses

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <functional>
 
-#include "backward/bounds/functional.hpp"
+#include "backward/bounds/bounded_expectation.hpp"
 #include "backward/bounds/residual_bounds.hpp"
-#include "backward/generator/collocation.hpp"
-#include "backward/generator/least_squares.hpp"
+#include "backward/generator/backward_equation_fit.hpp"
+#include "backward/generator/generator_at_collocation_points.hpp"
 #include "base/process/parallel_for.hpp"
 #include "base/process/stopwatch.hpp"
 
@@ -25,7 +25,7 @@ std::vector<double> sorted_break_points(StateVariable variable,
   std::vector<double> points;
   for (const StationaryFunctional& f : functionals) {
     if (integrand_variable(f) != variable) continue;
-    const std::vector<double> break_points = integrand_break_points(f);
+    const std::vector<double> break_points = integrand_breakpoints(f);
     points.insert(points.end(), break_points.begin(), break_points.end());
   }
   std::sort(points.begin(), points.end());
@@ -35,8 +35,9 @@ std::vector<double> sorted_break_points(StateVariable variable,
 // Returns bounds of the mean E[f] of an integrand f from the approximate mean U, the range of the
 // weighted residual inside the box and the bound of its magnitude outside the box: U + least E[tau]
 // <= E[f] <= U + largest E[tau], for least <= 0 <= largest.
-numerics::Enclosure enclose_integrand_mean(double approximate_mean, const ResidualRange& range,
-                                           double outside, const ResidualWeight& weight) {
+numerics::Enclosure enclose_integrand_mean(double approximate_mean,
+                                           const BackwardResidualRange& range, double outside,
+                                           const ResidualWeightFunctionOfEnergy& weight) {
   const numerics::Interval tau = weight.mean_upper_bound;
   // If the range of the residual contains NaN or infinity, no bound exists.
   if (!std::isfinite(range.least) || !std::isfinite(range.largest) || !std::isfinite(outside)) {
@@ -50,34 +51,35 @@ numerics::Enclosure enclose_integrand_mean(double approximate_mean, const Residu
 }  // namespace
 
 std::vector<numerics::Enclosure> compute_bounds_on_grid(
-    const problem::Problem& problem, const ResidualWeight& weight, const SplineGrid& grid,
-    const std::vector<StationaryFunctional>& functionals, int threads,
+    const problem::Problem& problem, const ResidualWeightFunctionOfEnergy& weight,
+    const SplineGrid& grid, const std::vector<StationaryFunctional>& functionals, int threads,
     SplineGridDiagnostics* diagnostics) {
   const base::Stopwatch stopwatch;
   const numerics::SplineBasis displacement =
       make_displacement_spline_basis(grid, weight, problem.system);
-  const DisplacementEndTypes displacement_ends =
+  const DisplacementBoundaryTypes displacement_ends =
       find_displacement_end_types(displacement, problem.system);
   const ImpactSplineBasis velocity =
       make_velocity_spline_basis(grid, weight, problem.system.restitution());
   const std::vector<double> y_cuts = sorted_break_points(StateVariable::y, functionals),
                             v_cuts = sorted_break_points(StateVariable::ydot, functionals);
-  const VelocityFactorEnclosures velocity_factors = numerics::call_with_upward_rounding(
+  const GeneratorVelocityFactorEnclosures velocity_factors = numerics::call_with_upward_rounding(
       [&] { return enclose_velocity_factors(problem, velocity, v_cuts); });
-  const DisplacementFactorEnclosures displacement_factors = numerics::call_with_upward_rounding(
-      [&] { return enclose_displacement_factors(problem, displacement, y_cuts); });
+  const GeneratorDisplacementFactorEnclosures displacement_factors =
+      numerics::call_with_upward_rounding(
+          [&] { return enclose_displacement_factors(problem, displacement, y_cuts); });
   const double enclosure_seconds = stopwatch.seconds();
 
   const DisplacementSplineSamples displacement_samples =
       sample_displacement_splines(displacement, kPointsPerCell);
-  const VelocityFactorSamples velocity_samples =
+  const GeneratorVelocityFactorSamples velocity_samples =
       sample_velocity_factors(velocity_factors, velocity, kPointsPerCell);
   std::vector<std::function<double(double, double)>> integrands;
   for (const StationaryFunctional& f : functionals) {
     integrands.emplace_back(
         [&](double y, double v) { return evaluate_integrand(f, problem, y, v); });
   }
-  const BackwardSolutions solutions = fit_backward_solutions(
+  const BackwardEquationSolutions solutions = fit_backward_equation_solutions(
       {problem, displacement, velocity, displacement_samples, velocity_samples,
        [&](double y, double v) {
          return 1 /
@@ -88,7 +90,7 @@ std::vector<numerics::Enclosure> compute_bounds_on_grid(
       integrands);
   const double fit_end_seconds = stopwatch.seconds();
 
-  const CertificateCheckInputs inputs{
+  const ResidualBoundInputs inputs{
       problem,          displacement, velocity,         displacement_factors,
       velocity_factors, weight,       displacement_ends};
   std::vector<numerics::Enclosure> bounds(functionals.size());
@@ -97,7 +99,7 @@ std::vector<numerics::Enclosure> compute_bounds_on_grid(
     numerics::call_with_upward_rounding([&] {
       const BoundCertificate certificate{solutions.spline_coefficients[i],
                                          solutions.mean_estimates[i]};
-      const ResidualRange range = enclose_residual_range(
+      const BackwardResidualRange range = enclose_residual_range(
           inputs, functionals[i], certificate, solutions.residual_extremes[i], kRangeTolerance);
       const double outside = outer_residual_bound(inputs, functionals[i], certificate);
       bounds[i] = enclose_functional(
@@ -111,7 +113,7 @@ std::vector<numerics::Enclosure> compute_bounds_on_grid(
   if (diagnostics != nullptr) {
     *diagnostics = {displacement.size() * velocity.size() -
                         (displacement_ends.has_left_wall + displacement_ends.has_right_wall) *
-                            velocity.index_at_zero_velocity(),
+                            velocity.basis_index_at_zero_velocity(),
                     enclosure_seconds, fit_end_seconds - enclosure_seconds,
                     stopwatch.seconds() - fit_end_seconds, std::move(functional_residuals)};
   }

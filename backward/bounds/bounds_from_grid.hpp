@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "backward/bounds/functional.hpp"
+#include "backward/bounds/bounded_expectation.hpp"
 #include "backward/bounds/spline_grid.hpp"
 #include "numerics/interval/enclosure.hpp"
 #include "problem/problem.hpp"
@@ -18,7 +18,7 @@ struct SplineGridDiagnostics {
   double verification_seconds = 0;  ///< wall-clock time to bound the residuals of all certificates
 
   /// Weighted residual (f + L V - U)/tau of the certificate V of one functional with the integrand
-  /// f, the approximate mean U and the weight tau (ResidualWeight).
+  /// f, the approximate mean U and the weight tau (ResidualWeightFunctionOfEnergy).
   struct FunctionalResidual {
     double approximate_mean;      ///< approximate mean U of the integrand f
     double least_residual;        ///< lower bound of the weighted residual inside the box
@@ -36,10 +36,10 @@ struct SplineGridDiagnostics {
 /// @param threads number of threads, which does not change the bounds
 /// @param diagnostics if not null, receives the computing times and the residuals
 /// @return one enclosure for each functional, in the order of `functionals`
-/// @throws FitFailure (backward/generator/normal_equations.hpp)
+/// @throws LeastSquaresFitFailure (backward/generator/normal_equations.hpp)
 std::vector<numerics::Enclosure> compute_bounds_on_grid(
-    const problem::Problem& problem, const ResidualWeight& weight, const SplineGrid& grid,
-    const std::vector<StationaryFunctional>& functionals, int threads,
+    const problem::Problem& problem, const ResidualWeightFunctionOfEnergy& weight,
+    const SplineGrid& grid, const std::vector<StationaryFunctional>& functionals, int threads,
     SplineGridDiagnostics* diagnostics = nullptr);
 
 }  // namespace fpkcheck::backward

@@ -4,9 +4,9 @@ namespace fpkcheck::backward {
 
 using namespace base;
 
-const Description<BoundsOptions>& bounds_option_descriptions() {
+const OptionsDescription<BoundsOptions>& bounds_option_descriptions() {
   static const auto options =
-      Description<BoundsOptions>("bounds ")
+      OptionsDescription<BoundsOptions>("bounds ")
           .add("width", &BoundsOptions::relative_half_width,
                {"W", "refine the grid until every half-width is below W times the value"},
                non_negative_numbers())

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "backward/bounds/functional.hpp"
-#include "base/options/description.hpp"
+#include "backward/bounds/bounded_expectation.hpp"
+#include "base/options/option_description.hpp"
 
 namespace fpkcheck::backward {
 
@@ -26,7 +26,7 @@ struct BoundsOptions {
 };
 
 /// Returns names, help texts and ranges of the options of the command `fpkcheck bounds`.
-const base::Description<BoundsOptions>& bounds_option_descriptions();
+const base::OptionsDescription<BoundsOptions>& bounds_option_descriptions();
 
 /// @throws InputError for the first invalid option or functional
 void require_valid_bounds_options(const BoundsOptions& options);

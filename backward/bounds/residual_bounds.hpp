@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <utility>
 
-#include "backward/bounds/functional.hpp"
+#include "backward/bounds/bounded_expectation.hpp"
 #include "backward/bounds/residual_weight.hpp"
 #include "backward/bounds/spline_grid.hpp"
 #include "backward/generator/generator_enclosures.hpp"
@@ -22,28 +22,28 @@ struct BoundCertificate {
 
 /// Inputs of the residual bounds of a certificate. The box of the splines is the rectangle of the
 /// phase plane between the end knots of both bases.
-struct CertificateCheckInputs {
+struct ResidualBoundInputs {
   const problem::Problem& problem;
   const numerics::SplineBasis& displacement_basis;  ///< splines A_a of y
   const ImpactSplineBasis& velocity_basis;          ///< splines B_b of v
   /// Enclosures of the factors of the generator L
-  const DisplacementFactorEnclosures& displacement_factors;
-  const VelocityFactorEnclosures& velocity_factors;
-  const ResidualWeight& residual_weight;        ///< weight tau
-  DisplacementEndTypes displacement_ends = {};  ///< types of the two ends of the box in y
+  const GeneratorDisplacementFactorEnclosures& displacement_factors;
+  const GeneratorVelocityFactorEnclosures& velocity_factors;
+  const ResidualWeightFunctionOfEnergy& residual_weight;  ///< weight tau
+  DisplacementBoundaryTypes displacement_ends = {};       ///< types of the two ends of the box in y
 };
 
 /// Returns an upper bound of the weighted residual |f + L V - U| / tau outside the box of the
 /// splines. Beyond the ends of an axis the certificate V is constant along the axis
 /// (docs/bounds.md, "Outside the box").
 /// @pre inside call_with_upward_rounding
-double outer_residual_bound(const CertificateCheckInputs& inputs,
+double outer_residual_bound(const ResidualBoundInputs& inputs,
                             const StationaryFunctional& functional,
                             const BoundCertificate& certificate);
 
 /// Guaranteed range of the weighted residual inside the box: least <= (f + L V - U) / tau <=
 /// largest.
-struct ResidualRange {
+struct BackwardResidualRange {
   double least = 0, largest = 0;  ///< bounds of the range, with least <= 0 <= largest
   /// Whether the bisection reached the tolerance; otherwise the range is valid but not narrow
   bool is_converged = true;
@@ -58,9 +58,10 @@ struct ResidualRange {
 /// @param expected_range smallest and largest value that the weighted residual probably attains.
 /// Accurate values reduce the number of bisections; the result is valid for any values
 /// @pre inside call_with_upward_rounding
-ResidualRange enclose_residual_range(const CertificateCheckInputs& inputs,
-                                     const StationaryFunctional& functional,
-                                     const BoundCertificate& certificate,
-                                     std::pair<double, double> expected_range, double tolerance);
+BackwardResidualRange enclose_residual_range(const ResidualBoundInputs& inputs,
+                                             const StationaryFunctional& functional,
+                                             const BoundCertificate& certificate,
+                                             std::pair<double, double> expected_range,
+                                             double tolerance);
 
 }  // namespace fpkcheck::backward

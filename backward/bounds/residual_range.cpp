@@ -2,7 +2,7 @@
 #include <cfenv>
 #include <cmath>
 
-#include "backward/bounds/functional.hpp"
+#include "backward/bounds/bounded_expectation.hpp"
 #include "backward/bounds/residual_bounds.hpp"
 
 namespace fpkcheck::backward {
@@ -12,27 +12,27 @@ constexpr int kMaxBisections = 40;
 
 // Sub-box of the product of two pieces, with the Bernstein coefficients of the residual f + L V -
 // U.
-struct ResidualBox {
+struct ResidualPolynomialOnBox {
   numerics::Interval y_from, y_to, v_from, v_to;
   int depth;                                     // number of bisections that produced the sub-box
   std::vector<numerics::Interval> coefficients;  // shape (degree in y + 1, degree in v + 1)
 };
 
-// The three velocity factors of the generator (VelocityFactorEnclosures), multiplied by the spline
-// coefficients c_ab and summed over the splines b of v, on every piece of v and for each spline a
-// of y:
+// The three velocity factors of the generator (GeneratorVelocityFactorEnclosures), multiplied by
+// the spline coefficients c_ab and summed over the splines b of v, on every piece of v and for each
+// spline a of y:
 // - factors[0], of A: sum_b c_ab (factor impulse_and_damping of b),
 // - factors[1], of S': sum_b (c_ab - c_{a-1,b}) (factor transport of b),
 // - factors[2], of (k y + mu y^3) A: sum_l (c_{a,b(l)} - c_{a,b(l-1)}) (factor restoring_force of
 //   l), where b(l) is the index of function l of the piece.
-struct ContractedVelocityFactors {
+struct GeneratorVelocityFactorSums {
   std::array<std::vector<numerics::Interval>, 3> factors;  // shape (pieces, functions of y, order)
 };
 
-ContractedVelocityFactors contract_velocity_factors(const CertificateCheckInputs& inputs,
-                                                    const Eigen::MatrixXd& c) {
+GeneratorVelocityFactorSums contract_velocity_factors(const ResidualBoundInputs& inputs,
+                                                      const Eigen::MatrixXd& c) {
   const int rows = static_cast<int>(c.rows()), order = inputs.velocity_factors.coefficient_count();
-  ContractedVelocityFactors result;
+  GeneratorVelocityFactorSums result;
   for (auto& f : result.factors) {
     f.assign(inputs.velocity_factors.pieces.size() * static_cast<std::size_t>(rows * order),
              numerics::Interval(0));
@@ -41,8 +41,8 @@ ContractedVelocityFactors contract_velocity_factors(const CertificateCheckInputs
     const auto at = [&](int term, int a) { return &result.factors[term][(i * rows + a) * order]; };
     for (int b = 0; b < c.cols(); ++b) {
       const std::span<const numerics::Interval> table =
-          inputs.velocity_factors.impulse_and_damping.polynomial_coefficients(static_cast<int>(i),
-                                                                              b);
+          inputs.velocity_factors.impulse_and_damping.post_impulse_mean_coefficients(
+              static_cast<int>(i), b);
       bool zero = true;
       for (const numerics::Interval& t : table) zero = zero && t.lower() == 0 && t.upper() == 0;
       if (zero) continue;
@@ -72,11 +72,11 @@ ContractedVelocityFactors contract_velocity_factors(const CertificateCheckInputs
 }
 
 // Bisection of boxes until the bounds of the weighted residual are narrow.
-class ResidualRangeSearch {
+class BackwardResidualRangeBisection {
  public:
-  ResidualRangeSearch(const CertificateCheckInputs& inputs,
-                      std::pair<double, double> expected_range, double tolerance, int rows,
-                      int columns)
+  BackwardResidualRangeBisection(const ResidualBoundInputs& inputs,
+                                 std::pair<double, double> expected_range, double tolerance,
+                                 int rows, int columns)
       : inputs_(inputs),
         rows_(rows),
         columns_(columns),
@@ -85,11 +85,11 @@ class ResidualRangeSearch {
         reduced_stiffness_(numerics::Interval(inputs.residual_weight.stiffness) -
                            square(numerics::Interval(inputs.residual_weight.damping)) / 4.0) {}
 
-  const ResidualRange& range() const { return range_; }
+  const BackwardResidualRange& range() const { return range_; }
 
   // Bounds the weighted residual on a box, by bisection if the Bernstein coefficients give no
   // narrow bounds.
-  void bound_residual_on_box(ResidualBox box) {
+  void bound_residual_on_box(ResidualPolynomialOnBox box) {
     ++range_.box_count;
     // The range of the Bernstein coefficients encloses the residual on the box. The coefficients at
     // the corners are values of the residual at the corners of the box.
@@ -130,7 +130,7 @@ class ResidualRangeSearch {
 
   // Returns a lower bound of the weight tau on the box: the value of tau at a lower bound of the
   // energy G.
-  numerics::Interval weight_lower_bound(const ResidualBox& box) const {
+  numerics::Interval weight_lower_bound(const ResidualPolynomialOnBox& box) const {
     const numerics::Interval y = hull(box.y_from, box.y_to), v = hull(box.v_from, box.v_to);
     const numerics::Interval w = v + numerics::Interval(inputs_.residual_weight.damping) * y / 2.0;
     const numerics::Interval y_low = std::max({0.0, box.y_from.lower(), -box.y_to.upper()});
@@ -144,7 +144,7 @@ class ResidualRangeSearch {
   }
 
   // Extends the attained range by the values of the weighted residual at the corners of a box.
-  void extend_attained_range(const ResidualBox& box) {
+  void extend_attained_range(const ResidualPolynomialOnBox& box) {
     for (const int i : {0, rows_ - 1}) {
       for (const int j : {0, columns_ - 1}) {
         const double r = box.coefficients[i * columns_ + j].lower();
@@ -160,7 +160,7 @@ class ResidualRangeSearch {
   // Bisects the box in the direction, y or v, in which the coefficients of the residual vary most.
   // Every fourth bisection is in the other direction, since the weight tau also varies. Bounds the
   // residual on both halves.
-  void bisect_box(const ResidualBox& box) {
+  void bisect_box(const ResidualPolynomialOnBox& box) {
     double along_y = 0, along_v = 0;
     for (int i = 0; i < rows_; ++i) {
       for (int j = 0; j < columns_; ++j) {
@@ -174,7 +174,7 @@ class ResidualRangeSearch {
       }
     }
     const bool bisects_y = (along_y * rows_ > along_v * columns_) != (box.depth % 4 == 3);
-    ResidualBox first = box, second = box;
+    ResidualPolynomialOnBox first = box, second = box;
     ++first.depth;
     ++second.depth;
     // De Casteljau's algorithm at 1/2 gives the coefficients on both halves. The factor 0.5 causes
@@ -199,28 +199,29 @@ class ResidualRangeSearch {
     bound_residual_on_box(std::move(second));
   }
 
-  const CertificateCheckInputs& inputs_;
+  const ResidualBoundInputs& inputs_;
   int rows_, columns_;
   double tolerance_;
   // Smallest and largest attained value of the weighted residual, initially the expected range
   std::pair<double, double> attained_range_;
   numerics::Interval reduced_stiffness_;  // k - c^2/4
-  ResidualRange range_;
+  BackwardResidualRange range_;
 };
 
 }  // namespace
 
-ResidualRange enclose_residual_range(const CertificateCheckInputs& inputs,
-                                     const StationaryFunctional& functional,
-                                     const BoundCertificate& certificate,
-                                     std::pair<double, double> expected_range, double tolerance) {
+BackwardResidualRange enclose_residual_range(const ResidualBoundInputs& inputs,
+                                             const StationaryFunctional& functional,
+                                             const BoundCertificate& certificate,
+                                             std::pair<double, double> expected_range,
+                                             double tolerance) {
   assert(std::fegetround() == FE_UPWARD);
   const Eigen::MatrixXd& c = certificate.spline_coefficients;
   // The proof requires the impact condition (1) of docs/bounds.md, which the fit does not
   // guarantee.
   const auto satisfies_impact_condition = [&](Eigen::Index row) {
     for (int b = 0; b < inputs.velocity_basis.size(); ++b) {
-      if (c(row, b) != c(row, inputs.velocity_basis.opposite_side_index(b))) return false;
+      if (c(row, b) != c(row, inputs.velocity_basis.basis_index_after_impact(b))) return false;
     }
     return true;
   };
@@ -231,7 +232,7 @@ ResidualRange enclose_residual_range(const CertificateCheckInputs& inputs,
   const int rows = inputs.displacement_basis.degree() + 4,
             columns = inputs.velocity_factors.coefficient_count();
   const int y_functions = static_cast<int>(c.rows());
-  const ContractedVelocityFactors v = contract_velocity_factors(inputs, c);
+  const GeneratorVelocityFactorSums v = contract_velocity_factors(inputs, c);
   const numerics::Interval jump_error = numerics::symmetric_interval(
       (numerics::Interval(inputs.velocity_factors.impulse_and_damping.remainder_bound) *
        c.cwiseAbs().maxCoeff())
@@ -239,12 +240,12 @@ ResidualRange enclose_residual_range(const CertificateCheckInputs& inputs,
   const bool depends_on_y = integrand_variable(functional) == StateVariable::y;
   std::vector<numerics::BernsteinCoefficients> v_integrands;
   if (!depends_on_y) {
-    for (const VelocityPiece& piece : inputs.velocity_factors.pieces) {
+    for (const VelocityAxisPiece& piece : inputs.velocity_factors.pieces) {
       v_integrands.push_back(
           enclose_integrand(functional, inputs.problem, piece.begin, piece.end, columns - 1));
     }
   }
-  ResidualRangeSearch search(inputs, expected_range, tolerance, rows, columns);
+  BackwardResidualRangeBisection search(inputs, expected_range, tolerance, rows, columns);
   for (std::size_t i = 0; i < inputs.displacement_factors.pieces.size(); ++i) {
     const auto& [span, y_from, y_to] = inputs.displacement_factors.pieces[i];
     const numerics::BernsteinCoefficients y_integrand =
@@ -252,12 +253,12 @@ ResidualRange enclose_residual_range(const CertificateCheckInputs& inputs,
                                          numerics::Interval(y_to), rows - 1)
                      : numerics::BernsteinCoefficients{};
     for (std::size_t j = 0; j < inputs.velocity_factors.pieces.size(); ++j) {
-      ResidualBox box{y_from,
-                      y_to,
-                      inputs.velocity_factors.pieces[j].begin,
-                      inputs.velocity_factors.pieces[j].end,
-                      0,
-                      {}};
+      ResidualPolynomialOnBox box{y_from,
+                                  y_to,
+                                  inputs.velocity_factors.pieces[j].begin,
+                                  inputs.velocity_factors.pieces[j].end,
+                                  0,
+                                  {}};
       box.coefficients.assign(static_cast<std::size_t>(rows * columns),
                               jump_error - numerics::Interval(certificate.approximate_mean));
       for (int row = 0; row < rows; ++row) {

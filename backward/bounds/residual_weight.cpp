@@ -67,13 +67,13 @@ std::vector<numerics::Interval> enclose_energy_moment_bounds(const problem::Prob
 
 }  // namespace
 
-double ResidualWeight::energy(double y, double v) const {
+double ResidualWeightFunctionOfEnergy::energy(double y, double v) const {
   const double w = v + damping * y / 2;
   return w * w / 2 + (stiffness - damping * damping / 4) * y * y / 2 +
          cubic_stiffness * y * y * y * y / 4;
 }
 
-double ResidualWeight::operator()(double y, double v) const {
+double ResidualWeightFunctionOfEnergy::operator()(double y, double v) const {
   return 1 + std::pow(energy(y, v) / energy_scale, exponent);
 }
 
@@ -119,10 +119,10 @@ std::vector<double> energy_moment_bounds(const problem::Problem& problem, int hi
   });
 }
 
-ResidualWeight make_residual_weight(const problem::Problem& problem, int exponent) {
+ResidualWeightFunctionOfEnergy make_residual_weight(const problem::Problem& problem, int exponent) {
   const double moment = energy_moment_bounds(problem, exponent).back();
   const problem::SystemCoefficients& c = problem.system.coefficients();
-  ResidualWeight weight{
+  ResidualWeightFunctionOfEnergy weight{
       c.damping, c.stiffness, c.cubic, exponent, std::pow(4 * moment, 1.0 / exponent), 0};
   weight.mean_upper_bound = numerics::call_with_upward_rounding([&] {
     return (1.0 + numerics::Interval(moment) /

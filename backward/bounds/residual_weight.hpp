@@ -14,7 +14,7 @@ namespace fpkcheck::backward {
 /// which is called the energy. The energy G decreases along the motion between impulses (G' <= -c
 /// G), at impacts on a left wall at y <= 0 and at impacts on a right wall at y >= 0. The bounds
 /// E[G^j] <= M_j of the moments and the scale h0 = (4 M_m)^(1/m) give E[tau] <= 1.25.
-struct ResidualWeight {
+struct ResidualWeightFunctionOfEnergy {
   double damping, stiffness, cubic_stiffness;  ///< parameters c, k and mu of the oscillator
   int exponent;                                ///< exponent m
   double energy_scale;                         ///< energy scale h0
@@ -36,6 +36,6 @@ std::vector<double> energy_moment_bounds(const problem::Problem& problem, int hi
 
 /// Computes the weight tau with the exponent m = `exponent`.
 /// @pre bounds_unsupported_reason(problem) is empty
-ResidualWeight make_residual_weight(const problem::Problem& problem, int exponent);
+ResidualWeightFunctionOfEnergy make_residual_weight(const problem::Problem& problem, int exponent);
 
 }  // namespace fpkcheck::backward

@@ -16,7 +16,7 @@ constexpr double kFinestFractionWithOtherWalls = 3e-2;
 }  // namespace
 
 numerics::SplineBasis make_displacement_spline_basis(const SplineGrid& grid,
-                                                     const ResidualWeight& weight,
+                                                     const ResidualWeightFunctionOfEnergy& weight,
                                                      const problem::System& system) {
   // The end y of the box satisfies (k - c^2/4) y^2/2 + mu y^4/4 = edge_energy h0.
   const double a = weight.cubic_stiffness / 4,
@@ -46,8 +46,8 @@ numerics::SplineBasis make_displacement_spline_basis(const SplineGrid& grid,
   return numerics::SplineBasis(std::move(breaks));
 }
 
-DisplacementEndTypes find_displacement_end_types(const numerics::SplineBasis& displacement_basis,
-                                                 const problem::System& system) {
+DisplacementBoundaryTypes find_displacement_end_types(
+    const numerics::SplineBasis& displacement_basis, const problem::System& system) {
   const double begin = displacement_basis.breaks().front(), end = displacement_basis.end();
   return {.has_left_wall = system.left_wall().has_value(),
           .has_right_wall = system.right_wall().has_value(),
@@ -55,7 +55,8 @@ DisplacementEndTypes find_displacement_end_types(const numerics::SplineBasis& di
           .is_right_end_open = !system.right_wall() || system.right_wall()->position > end};
 }
 
-ImpactSplineBasis make_velocity_spline_basis(const SplineGrid& grid, const ResidualWeight& weight,
+ImpactSplineBasis make_velocity_spline_basis(const SplineGrid& grid,
+                                             const ResidualWeightFunctionOfEnergy& weight,
                                              double restitution) {
   // Without impact losses the edge of the box is at v = -u, where v^2/2 = edge_energy h0. Impact
   // losses require a larger u, since the energy G must also be large at the outgoing edge v = r u
@@ -68,14 +69,14 @@ ImpactSplineBasis make_velocity_spline_basis(const SplineGrid& grid, const Resid
       restitution);
 }
 
-WidthLimitingFeature width_limiting_feature(const StationaryFunctional& functional) {
-  if (!integrand_break_points(functional).empty()) return WidthLimitingFeature::bin_knots;
+BoundWidthLimitingFeature bound_width_limiting_feature(const StationaryFunctional& functional) {
+  if (!integrand_breakpoints(functional).empty()) return BoundWidthLimitingFeature::bin_knots;
   const PowerMoment* const mean = std::get_if<PowerMoment>(&functional);
-  return mean != nullptr && mean->power > 2 ? WidthLimitingFeature::tails
-                                            : WidthLimitingFeature::conical_point;
+  return mean != nullptr && mean->power > 2 ? BoundWidthLimitingFeature::tails
+                                            : BoundWidthLimitingFeature::conical_point;
 }
 
-std::span<const SplineGrid> spline_grid_sequence(WidthLimitingFeature feature) {
+std::span<const SplineGrid> spline_grid_sequence(BoundWidthLimitingFeature feature) {
   // The certificate V has a conical point at the origin. Smaller cells at the origin reduce the
   // error as long as the error from the cells at the origin dominates. On finer grids than the last
   // grid of this list, rounding in the normal equations loses more accuracy than smaller cells
@@ -99,9 +100,9 @@ std::span<const SplineGrid> spline_grid_sequence(WidthLimitingFeature feature) {
                                                  {50, 70, 2e-2, 0.1, 6},
                                                  {64, 90, 1e-2, 0.1, 6}};
   switch (feature) {
-    case WidthLimitingFeature::conical_point:
+    case BoundWidthLimitingFeature::conical_point:
       return kConicalPointGrids;
-    case WidthLimitingFeature::tails:
+    case BoundWidthLimitingFeature::tails:
       return kTailGrids;
     default:
       return kBinKnotGrids;

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "backward/bounds/functional.hpp"
+#include "backward/bounds/bounded_expectation.hpp"
 #include "backward/bounds/residual_weight.hpp"
 #include "backward/generator/impact_basis.hpp"
 
@@ -16,14 +16,15 @@ struct SplineGrid {
   /// Arguments `finest` and `uniform_from` of numerics::graded_break_points, as fractions of the
   /// extent of the axis
   double finest_fraction, uniform_from_fraction;
-  double edge_energy;  ///< energy G (ResidualWeight) at the edges of the box, in units of h0
+  /// energy G (ResidualWeightFunctionOfEnergy) at the edges of the box, in units of h0
+  double edge_energy;
 
   bool operator==(const SplineGrid&) const = default;
 };
 
 /// Types of the two ends of the box in y. The motion can leave the box through an open end. Beyond
 /// an open end the certificate V is constant in y, up to the wall on that side, if any.
-struct DisplacementEndTypes {
+struct DisplacementBoundaryTypes {
   bool has_left_wall = true, has_right_wall = false;
   bool is_left_end_open = false, is_right_end_open = true;
 };
@@ -32,29 +33,30 @@ struct DisplacementEndTypes {
 /// a distant wall, the basis ends where the least energy G over all velocities (at y' = -c y/2)
 /// equals SplineGrid::edge_energy times the energy scale h0.
 numerics::SplineBasis make_displacement_spline_basis(const SplineGrid& grid,
-                                                     const ResidualWeight& weight,
+                                                     const ResidualWeightFunctionOfEnergy& weight,
                                                      const problem::System& system);
 
 /// Returns the types of the two ends of a spline basis of y.
-DisplacementEndTypes find_displacement_end_types(const numerics::SplineBasis& displacement_basis,
-                                                 const problem::System& system);
+DisplacementBoundaryTypes find_displacement_end_types(
+    const numerics::SplineBasis& displacement_basis, const problem::System& system);
 
 /// Makes the spline basis of v. Without impact losses (r = 1) the speeds of the basis end at v^2/2
 /// = edge_energy h0. With losses the range of speeds is larger.
-ImpactSplineBasis make_velocity_spline_basis(const SplineGrid& grid, const ResidualWeight& weight,
+ImpactSplineBasis make_velocity_spline_basis(const SplineGrid& grid,
+                                             const ResidualWeightFunctionOfEnergy& weight,
                                              double restitution);
 
 /// Feature of the certificate V that limits how narrow the bounds on a grid can be.
-enum class WidthLimitingFeature {
+enum class BoundWidthLimitingFeature {
   conical_point,  ///< for powers up to 2 and w1: the conical point of V at the origin
   tails,          ///< for higher powers: the edges of the box, and rounding where V is large
   bin_knots       ///< for smooth bins: the knots of the bin
 };
-WidthLimitingFeature width_limiting_feature(const StationaryFunctional& functional);
+BoundWidthLimitingFeature bound_width_limiting_feature(const StationaryFunctional& functional);
 
 /// Returns the grids, from coarse to fine, for the functionals whose bounds the given feature
 /// limits.
-std::span<const SplineGrid> spline_grid_sequence(WidthLimitingFeature feature);
+std::span<const SplineGrid> spline_grid_sequence(BoundWidthLimitingFeature feature);
 
 /// Upper limit of the ratio of the computing times of consecutive grids of a sequence.
 inline constexpr double kMaxGridTimeRatio = 2.5;

@@ -28,7 +28,7 @@ namespace {
 constexpr int kSeriesTerms = 16;  // number N of terms of the power series
 
 // Enclosed Bernstein coefficients in theta of the solutions of s L' = -L + w B on a piece.
-struct PieceSolutions {
+struct OdeSolutionsOnVelocityPiece {
   numerics::BernsteinCoefficients homogeneous;  // exp(-e theta/s)
   // Solution that is 0 at theta = 0, for each function B of the piece
   std::vector<numerics::BernsteinCoefficients> particular;
@@ -48,10 +48,11 @@ numerics::BernsteinCoefficients enclose_series(numerics::BernsteinCoefficients p
   return b;
 }
 
-PieceSolutions solve_on_piece(const std::vector<numerics::BernsteinCoefficients>& functions,
-                              const numerics::Interval& length, double s, double weight) {
+OdeSolutionsOnVelocityPiece solve_on_piece(
+    const std::vector<numerics::BernsteinCoefficients>& functions, const numerics::Interval& length,
+    double s, double weight) {
   const numerics::Interval ratio = length / s;
-  PieceSolutions solutions;
+  OdeSolutionsOnVelocityPiece solutions;
   solutions.decay = exponential(-ratio);
   const auto series = [&](const numerics::BernsteinCoefficients& forcing,
                           const numerics::Interval& start) {
@@ -75,18 +76,19 @@ PieceSolutions solve_on_piece(const std::vector<numerics::BernsteinCoefficients>
 
 // Velocity pieces shifted by the offset of the law, in increasing order. Additional pieces lie
 // between the shifted pieces and the ends of the basis.
-struct ShiftedPieces {
-  std::vector<VelocityPiece> pieces;
+struct ShiftedVelocityPieces {
+  std::vector<VelocityAxisPiece> pieces;
   std::size_t first_index = 0;  // index of the first shifted piece, after the additional pieces
 };
 
-ShiftedPieces shift_pieces(const ImpactSplineBasis& basis, const std::vector<VelocityPiece>& pieces,
-                           const numerics::Interval& shift, double longest) {
-  ShiftedPieces shifted;
+ShiftedVelocityPieces shift_pieces(const ImpactSplineBasis& basis,
+                                   const std::vector<VelocityAxisPiece>& pieces,
+                                   const numerics::Interval& shift, double longest) {
+  ShiftedVelocityPieces shifted;
   const numerics::Interval begin = pieces.front().begin + shift, end = pieces.back().end + shift;
   const auto add_pieces_between = [&](const numerics::Interval& from,
                                       const numerics::Interval& to) {
-    for (const VelocityPiece& p : divide_velocity_axis(basis, {}, longest)) {
+    for (const VelocityAxisPiece& p : divide_velocity_axis(basis, {}, longest)) {
       if (p.end.upper() <= from.lower() || p.begin.lower() >= to.upper()) continue;
       const numerics::Interval a = p.begin.lower() < from.lower() ? from : p.begin;
       const numerics::Interval b = p.end.upper() > to.upper() ? to : p.end;
@@ -95,7 +97,7 @@ ShiftedPieces shift_pieces(const ImpactSplineBasis& basis, const std::vector<Vel
   };
   if (shift.lower() > 0) add_pieces_between(pieces.front().begin, begin);
   shifted.first_index = shifted.pieces.size();
-  for (const VelocityPiece& p : pieces) {
+  for (const VelocityAxisPiece& p : pieces) {
     shifted.pieces.push_back(make_velocity_piece(basis, p.begin + shift, p.end + shift));
   }
   if (shift.upper() < 0) add_pieces_between(end, pieces.back().end);
@@ -104,19 +106,19 @@ ShiftedPieces shift_pieces(const ImpactSplineBasis& basis, const std::vector<Vel
 
 // Weights w of the integral L over velocities below z and of the integral R over velocities above
 // z, where z is the velocity v plus the shift of the law.
-struct TailWeights {
+struct OneSidedIntegralWeights {
   double below, above;
 };
 
 // Makes the table of a law with exponential tails of the scale s.
-ImpulseMeanTable make_exponential_tail_table(const numerics::Interval& shift, double s,
-                                             const TailWeights& weights,
-                                             const ImpactSplineBasis& basis,
-                                             const std::vector<VelocityPiece>& pieces) {
-  ImpulseMeanTable table = make_zero_impulse_mean_table(basis, pieces, kSeriesTerms);
+PostImpulseMeanTable make_exponential_tail_table(const numerics::Interval& shift, double s,
+                                                 const OneSidedIntegralWeights& weights,
+                                                 const ImpactSplineBasis& basis,
+                                                 const std::vector<VelocityAxisPiece>& pieces) {
+  PostImpulseMeanTable table = make_zero_impulse_mean_table(basis, pieces, kSeriesTerms);
   double longest = 0, overhang = 0;
-  for (const VelocityPiece& piece : pieces) longest = std::max(longest, piece.length().upper());
-  const ShiftedPieces shifted = shift_pieces(basis, pieces, shift, longest);
+  for (const VelocityAxisPiece& piece : pieces) longest = std::max(longest, piece.length().upper());
+  const ShiftedVelocityPieces shifted = shift_pieces(basis, pieces, shift, longest);
   const int count = static_cast<int>(shifted.pieces.size());
 
   for (const bool forward : {true, false}) {
@@ -128,20 +130,20 @@ ImpulseMeanTable make_exponential_tail_table(const numerics::Interval& shift, do
     end_values[forward ? 0 : basis.size() - 1] = weight;
     for (int step = 0; step < count; ++step) {
       const int i = forward ? step : count - 1 - step;
-      const VelocityPiece& piece = shifted.pieces[i];
-      BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, piece);
+      const VelocityAxisPiece& piece = shifted.pieces[i];
+      BasisFunctionsOnVelocityPiece functions = basis_functions_on_piece(basis, piece);
       overhang = std::max(overhang, functions.overhang_error);
       if (!forward) {
         for (numerics::BernsteinCoefficients& b : functions.polynomials)
           std::reverse(b.begin(), b.end());
       }
-      const PieceSolutions solutions =
+      const OdeSolutionsOnVelocityPiece solutions =
           solve_on_piece(functions.polynomials, piece.length(), s, weight);
       const int target = i - static_cast<int>(shifted.first_index);
       if (target >= 0 && target < static_cast<int>(pieces.size())) {
         const auto add = [&](int b, const numerics::Interval& factor,
                              const numerics::BernsteinCoefficients& c) {
-          const std::span<numerics::Interval> out = table.polynomial_coefficients(target, b);
+          const std::span<numerics::Interval> out = table.post_impulse_mean_coefficients(target, b);
           for (int j = 0; j < kSeriesTerms; ++j) {
             out[j] += factor * c[forward ? j : kSeriesTerms - 1 - j];
           }
@@ -170,19 +172,19 @@ ImpulseMeanTable make_exponential_tail_table(const numerics::Interval& shift, do
 
 }  // namespace
 
-ImpulseMeanTable tabulate_impulse_means(const problem::LaplaceLaw& law,
-                                        const ImpactSplineBasis& basis,
-                                        const std::vector<VelocityPiece>& pieces) {
+PostImpulseMeanTable tabulate_impulse_means(const problem::LaplaceLaw& law,
+                                            const ImpactSplineBasis& basis,
+                                            const std::vector<VelocityAxisPiece>& pieces) {
   return make_exponential_tail_table(law.mean, law.scale, {0.5, 0.5}, basis, pieces);
 }
 
-ImpulseMeanTable tabulate_impulse_means(const problem::ExponentialLaw& law,
-                                        const ImpactSplineBasis& basis,
-                                        const std::vector<VelocityPiece>& pieces) {
+PostImpulseMeanTable tabulate_impulse_means(const problem::ExponentialLaw& law,
+                                            const ImpactSplineBasis& basis,
+                                            const std::vector<VelocityAxisPiece>& pieces) {
   const numerics::Interval start = numerics::Interval(law.mean) - law.scale;
-  return make_exponential_tail_table(start, std::abs(law.scale),
-                                     law.scale > 0 ? TailWeights{0, 1} : TailWeights{1, 0}, basis,
-                                     pieces);
+  return make_exponential_tail_table(
+      start, std::abs(law.scale),
+      law.scale > 0 ? OneSidedIntegralWeights{0, 1} : OneSidedIntegralWeights{1, 0}, basis, pieces);
 }
 
 }  // namespace fpkcheck::backward

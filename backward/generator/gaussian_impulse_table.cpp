@@ -22,7 +22,9 @@ constexpr int kTaylorTerms = 16;    // number N of terms of the Taylor series in
 constexpr int kSourceMoments = 20;  // number K of moments of a source piece
 constexpr double kSourceRange = 9;  // largest |z - v - m| of the integral, in standard deviations
 
-numerics::Interval centre_of(const VelocityPiece& piece) { return (piece.begin + piece.end) / 2.0; }
+numerics::Interval centre_of(const VelocityAxisPiece& piece) {
+  return (piece.begin + piece.end) / 2.0;
+}
 
 numerics::Interval factorial(int n) {
   numerics::Interval f = 1;
@@ -59,7 +61,7 @@ std::vector<std::vector<numerics::Interval>> bernstein_moment_integrals(int p) {
 }
 
 // Piece of the velocity z after an impulse, with its contributions to K B.
-struct SourcePiece {
+struct PostImpulseVelocityPiece {
   numerics::Interval centre;          // z0
   double half_length;                 // g
   std::vector<int> function_indices;  // indices of the functions B that are nonzero on the piece
@@ -67,11 +69,12 @@ struct SourcePiece {
   std::vector<std::vector<numerics::Interval>> moments;
 };
 
-SourcePiece make_source_piece(const ImpactSplineBasis& basis, const VelocityPiece& piece, double s,
-                              const std::vector<std::vector<numerics::Interval>>& integrals) {
+PostImpulseVelocityPiece make_source_piece(
+    const ImpactSplineBasis& basis, const VelocityAxisPiece& piece, double s,
+    const std::vector<std::vector<numerics::Interval>>& integrals) {
   const numerics::Interval half = piece.length() / 2.0;
-  const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, piece);
-  SourcePiece source{centre_of(piece), half.upper(), functions.indices, {}};
+  const BasisFunctionsOnVelocityPiece functions = basis_functions_on_piece(basis, piece);
+  PostImpulseVelocityPiece source{centre_of(piece), half.upper(), functions.indices, {}};
   for (const numerics::BernsteinCoefficients& b : functions.polynomials) {
     std::vector<numerics::Interval> moments(kSourceMoments);
     numerics::Interval factor = 2.0 * half / s;
@@ -95,34 +98,34 @@ numerics::Interval root_factorial_tail(const numerics::Interval& a, int first) {
 
 }  // namespace
 
-ImpulseMeanTable tabulate_impulse_means(const problem::GaussianLaw& law,
-                                        const ImpactSplineBasis& basis,
-                                        const std::vector<VelocityPiece>& pieces) {
+PostImpulseMeanTable tabulate_impulse_means(const problem::GaussianLaw& law,
+                                            const ImpactSplineBasis& basis,
+                                            const std::vector<VelocityAxisPiece>& pieces) {
   const double s = law.deviation;
-  ImpulseMeanTable table = make_zero_impulse_mean_table(basis, pieces, kTaylorTerms);
+  PostImpulseMeanTable table = make_zero_impulse_mean_table(basis, pieces, kTaylorTerms);
   const auto integrals = bernstein_moment_integrals(basis.speed_basis().degree());
 
   // The integral over the velocity after an impulse extends beyond the ends of the basis, where the
   // first or the last basis function is 1.
-  std::vector<VelocityPiece> source_pieces(pieces);
+  std::vector<VelocityAxisPiece> source_pieces(pieces);
   const double source_range = kSourceRange * s + std::abs(law.mean) + s, step = 0.6 * s;
   double widest = 0;
-  for (const VelocityPiece& piece : pieces) widest = std::max(widest, piece.length().upper());
+  for (const VelocityAxisPiece& piece : pieces) widest = std::max(widest, piece.length().upper());
   for (numerics::Interval to = pieces.front().begin;
        to.upper() > basis.lowest_velocity() - source_range - widest;) {
     const numerics::Interval from = to.lower() - step;
-    source_pieces.push_back({VelocitySide::below, 0, numerics::Interval(from.lower()), to, 0});
+    source_pieces.push_back({VelocityAxisPart::below, 0, numerics::Interval(from.lower()), to, 0});
     to = from.lower();
   }
   for (numerics::Interval from = pieces.back().end;
        from.lower() < basis.highest_velocity() + source_range + widest;) {
     const numerics::Interval to = from.upper() + step;
-    source_pieces.push_back({VelocitySide::above, 0, from, numerics::Interval(to.upper()), 0});
+    source_pieces.push_back({VelocityAxisPart::above, 0, from, numerics::Interval(to.upper()), 0});
     from = to.upper();
   }
-  std::vector<SourcePiece> sources;
+  std::vector<PostImpulseVelocityPiece> sources;
   double overhang = 0;
-  for (const VelocityPiece& piece : source_pieces) {
+  for (const VelocityAxisPiece& piece : source_pieces) {
     sources.push_back(make_source_piece(basis, piece, s, integrals));
     overhang = std::max(overhang, basis_functions_on_piece(basis, piece).overhang_error);
   }
@@ -134,7 +137,7 @@ ImpulseMeanTable tabulate_impulse_means(const problem::GaussianLaw& law,
   const numerics::Interval root(0.3989422804014326, 0.3989422804014328);
   std::vector<numerics::Interval> hermite(kTaylorTerms + kSourceMoments);
   numerics::Interval largest_h = 0, largest_g = 0;
-  for (const SourcePiece& source : sources)
+  for (const PostImpulseVelocityPiece& source : sources)
     largest_g = std::max(largest_g.upper(), source.half_length);
 
   std::vector<numerics::Interval> powers(static_cast<std::size_t>(basis.size() * kTaylorTerms));
@@ -142,7 +145,7 @@ ImpulseMeanTable tabulate_impulse_means(const problem::GaussianLaw& law,
     const numerics::Interval half = pieces[target].length() / 2.0, v0 = centre_of(pieces[target]);
     largest_h = std::max(largest_h.upper(), half.upper());
     std::fill(powers.begin(), powers.end(), numerics::Interval(0));
-    for (const SourcePiece& source : sources) {
+    for (const PostImpulseVelocityPiece& source : sources) {
       const numerics::Interval distance = (source.centre - v0 - law.mean) / s;
       if (std::max(distance.lower(), -distance.upper()) >
           kSourceRange + 1.001 * (half.upper() + source.half_length) / s) {
@@ -165,7 +168,7 @@ ImpulseMeanTable tabulate_impulse_means(const problem::GaussianLaw& law,
     }
     for (int b = 0; b < basis.size(); ++b) {
       const std::span<numerics::Interval> out =
-          table.polynomial_coefficients(static_cast<int>(target), b);
+          table.post_impulse_mean_coefficients(static_cast<int>(target), b);
       numerics::Interval factor = 1;
       for (int q = 0; q < kTaylorTerms; ++q) {
         if (q > 0) factor *= half / s / static_cast<double>(q);

@@ -9,28 +9,28 @@
 
 namespace fpkcheck::backward {
 
-VelocityFactorEnclosures enclose_velocity_factors(const problem::Problem& problem,
-                                                  const ImpactSplineBasis& basis,
-                                                  std::span<const double> cuts) {
+GeneratorVelocityFactorEnclosures enclose_velocity_factors(const problem::Problem& problem,
+                                                           const ImpactSplineBasis& basis,
+                                                           std::span<const double> cuts) {
   assert(std::fegetround() == FE_UPWARD);
   const problem::ImpulseLaw& law = problem.impulses.amplitude_law();
   VelocityPieceConstraints constraints = velocity_piece_constraints(basis, law);
   constraints.break_velocities.insert(constraints.break_velocities.end(), cuts.begin(), cuts.end());
   std::sort(constraints.break_velocities.begin(), constraints.break_velocities.end());
 
-  VelocityFactorEnclosures enclosures;
+  GeneratorVelocityFactorEnclosures enclosures;
   enclosures.pieces =
       divide_velocity_axis(basis, constraints.break_velocities, constraints.max_length);
   enclosures.impulse_and_damping = compute_impulse_mean_table(basis, enclosures.pieces, law);
   const numerics::Interval rate = problem.impulses.arrival_rate(),
                            damping = problem.system.damping();
-  ImpulseMeanTable& jump = enclosures.impulse_and_damping;
+  PostImpulseMeanTable& jump = enclosures.impulse_and_damping;
   const int degree = jump.coefficient_count - 1;
   for (numerics::Interval& c : jump.coefficients) c *= rate;
   jump.remainder_bound = (rate * jump.remainder_bound).upper();
   for (std::size_t i = 0; i < enclosures.pieces.size(); ++i) {
-    const VelocityPiece& piece = enclosures.pieces[i];
-    const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, piece);
+    const VelocityAxisPiece& piece = enclosures.pieces[i];
+    const BasisFunctionsOnVelocityPiece functions = basis_functions_on_piece(basis, piece);
     const numerics::BernsteinCoefficients v{piece.begin, piece.end};
     const numerics::Interval length = piece.length();
     enclosures.function_indices.push_back(functions.indices);
@@ -44,12 +44,13 @@ VelocityFactorEnclosures enclose_velocity_factors(const problem::Problem& proble
       const numerics::BernsteinCoefficients damped =
           elevate_bernstein_degree(bernstein_product(v, slope), degree);
       const std::span<numerics::Interval> out =
-          jump.polynomial_coefficients(static_cast<int>(i), functions.indices[l]);
+          jump.post_impulse_mean_coefficients(static_cast<int>(i), functions.indices[l]);
       for (int j = 0; j <= degree; ++j) out[j] -= rate * value[j] + damping * damped[j];
       enclosures.transport.back().push_back(
           elevate_bernstein_degree(bernstein_product(v, b), degree));
     }
-    for (const numerics::BernsteinCoefficients& slope : enclose_partial_sum_slopes(basis, piece)) {
+    for (const numerics::BernsteinCoefficients& slope :
+         enclose_slopes_of_basis_partial_sums(basis, piece)) {
       numerics::BernsteinCoefficients force = elevate_bernstein_degree(slope, degree);
       for (numerics::Interval& s : force) s = -s;
       enclosures.restoring_force.back().push_back(std::move(force));
@@ -58,12 +59,12 @@ VelocityFactorEnclosures enclose_velocity_factors(const problem::Problem& proble
   return enclosures;
 }
 
-DisplacementFactorEnclosures enclose_displacement_factors(const problem::Problem& problem,
-                                                          const numerics::SplineBasis& basis,
-                                                          std::span<const double> cuts) {
+GeneratorDisplacementFactorEnclosures enclose_displacement_factors(
+    const problem::Problem& problem, const numerics::SplineBasis& basis,
+    std::span<const double> cuts) {
   const problem::SystemCoefficients& c = problem.system.coefficients();
   const int degree = basis.degree() + 3;
-  DisplacementFactorEnclosures enclosures;
+  GeneratorDisplacementFactorEnclosures enclosures;
   for (int span = 0; span < basis.break_span_count(); ++span) {
     std::vector<double> points{basis.breaks()[span]};
     for (const double cut : cuts) {
@@ -83,7 +84,7 @@ DisplacementFactorEnclosures enclose_displacement_factors(const problem::Problem
         factors[2].push_back(bernstein_product(force, value));
       }
       for (const numerics::BernsteinCoefficients& slope :
-           enclose_partial_sum_slopes(basis, span, from, to)) {
+           enclose_slopes_of_basis_partial_sums(basis, span, from, to)) {
         factors[1].push_back(elevate_bernstein_degree(slope, degree));
       }
     }

@@ -24,13 +24,13 @@ namespace fpkcheck::backward {
 ///
 /// On small cells neighbouring coefficients are nearly equal, and the sum over S_l' keeps the
 /// rounding error small relative to the differences of coefficients.
-struct VelocityFactorEnclosures {
-  std::vector<VelocityPiece> pieces;
+struct GeneratorVelocityFactorEnclosures {
+  std::vector<VelocityAxisPiece> pieces;
   /// Indices of the basis functions B_b that are nonzero on each piece
   std::vector<std::vector<int>> function_indices;
   /// Factor lambda (K B - B) - c v B' of A(y). The remainder bound of the table applies to lambda K
   /// B.
-  ImpulseMeanTable impulse_and_damping;
+  PostImpulseMeanTable impulse_and_damping;
   /// Factor v B of A', shape (pieces, functions of the piece)
   std::vector<std::vector<numerics::BernsteinCoefficients>> transport;
   /// Factor -S_l' of (k y + mu y^3) A for l > 0, shape (pieces, degree)
@@ -44,30 +44,31 @@ struct VelocityFactorEnclosures {
 /// (velocity_piece_constraints()).
 /// @param cuts additional ends of pieces, increasing
 /// @pre inside call_with_upward_rounding
-VelocityFactorEnclosures enclose_velocity_factors(const problem::Problem& problem,
-                                                  const ImpactSplineBasis& basis,
-                                                  std::span<const double> cuts);
+GeneratorVelocityFactorEnclosures enclose_velocity_factors(const problem::Problem& problem,
+                                                           const ImpactSplineBasis& basis,
+                                                           std::span<const double> cuts);
 
-/// Enclosures of the three factors in y of the generator L (formula at VelocityFactorEnclosures).
-/// On every piece of the displacement axis each factor is a polynomial of degree p + 3 with
-/// enclosed Bernstein coefficients, where p is the degree of the splines.
-struct DisplacementFactorEnclosures {
+/// Enclosures of the three factors in y of the generator L (formula at
+/// GeneratorVelocityFactorEnclosures). On every piece of the displacement axis each factor is a
+/// polynomial of degree p + 3 with enclosed Bernstein coefficients, where p is the degree of the
+/// splines.
+struct GeneratorDisplacementFactorEnclosures {
   /// Segment [begin, end] of the displacement axis within one knot span.
   struct Piece {
     int knot_span;
     double begin, end;
   };
   std::vector<Piece> pieces;
-  /// The three factors A, S' (enclose_partial_sum_slopes()) and (k y + mu y^3) A for the functions
-  /// of each piece, shape (pieces, 3, degree + 1); S' has only `degree` functions
+  /// The three factors A, S' (enclose_slopes_of_basis_partial_sums()) and (k y + mu y^3) A for the
+  /// functions of each piece, shape (pieces, 3, degree + 1); S' has only `degree` functions
   std::vector<std::array<std::vector<numerics::BernsteinCoefficients>, 3>> factors;
 };
 
 /// Computes enclosures of the factors in y on the knot spans of the basis.
 /// @param cuts additional ends of pieces, increasing
 /// @pre inside call_with_upward_rounding
-DisplacementFactorEnclosures enclose_displacement_factors(const problem::Problem& problem,
-                                                          const numerics::SplineBasis& basis,
-                                                          std::span<const double> cuts);
+GeneratorDisplacementFactorEnclosures enclose_displacement_factors(
+    const problem::Problem& problem, const numerics::SplineBasis& basis,
+    std::span<const double> cuts);
 
 }  // namespace fpkcheck::backward

@@ -9,9 +9,9 @@ namespace {
 
 // Returns the increasing ends in v of a knot span of the impact speed, before or after impacts.
 std::array<numerics::Interval, 2> velocity_span_ends(const ImpactSplineBasis& basis,
-                                                     VelocitySide side, int span) {
+                                                     VelocityAxisPart side, int span) {
   const double u0 = basis.speed_basis().breaks()[span], u1 = basis.speed_basis().breaks()[span + 1];
-  if (side == VelocitySide::incoming) return {numerics::Interval(-u1), numerics::Interval(-u0)};
+  if (side == VelocityAxisPart::incoming) return {numerics::Interval(-u1), numerics::Interval(-u0)};
   const numerics::Interval r = basis.restitution();
   return {r * u0, r * u1};
 }
@@ -30,19 +30,20 @@ double slope_bound(const ImpactSplineBasis& basis) {
 
 }  // namespace
 
-VelocityPiece make_velocity_piece(const ImpactSplineBasis& basis, const numerics::Interval& begin,
-                                  const numerics::Interval& end) {
+VelocityAxisPiece make_velocity_piece(const ImpactSplineBasis& basis,
+                                      const numerics::Interval& begin,
+                                      const numerics::Interval& end) {
   const double v = segment_midpoint(begin, end), r = basis.restitution();
-  VelocityPiece piece{VelocitySide::below, 0, begin, end, 0};
+  VelocityAxisPiece piece{VelocityAxisPart::below, 0, begin, end, 0};
   if (v < basis.lowest_velocity()) {
     piece.rounding_overhang = std::max(0.0, (end - basis.lowest_velocity()).upper());
   } else if (v > basis.highest_velocity()) {
-    piece.side = VelocitySide::above;
+    piece.side = VelocityAxisPart::above;
     piece.rounding_overhang =
         std::max(0.0, (numerics::Interval(r) * basis.speed_basis().end() - begin).upper());
   } else {
-    piece.side = v < 0 ? VelocitySide::incoming : VelocitySide::outgoing;
-    piece.knot_span = basis.speed_basis().span_containing(v < 0 ? -v : v / r);
+    piece.side = v < 0 ? VelocityAxisPart::incoming : VelocityAxisPart::outgoing;
+    piece.knot_span = basis.speed_basis().knot_span_containing(v < 0 ? -v : v / r);
     const auto [span_begin, span_end] = velocity_span_ends(basis, piece.side, piece.knot_span);
     piece.rounding_overhang =
         std::max({0.0, (span_begin - begin).upper(), (end - span_end).upper()});
@@ -50,24 +51,24 @@ VelocityPiece make_velocity_piece(const ImpactSplineBasis& basis, const numerics
   return piece;
 }
 
-BasisFunctionsOnPiece basis_functions_on_piece(const ImpactSplineBasis& basis,
-                                               const VelocityPiece& piece) {
+BasisFunctionsOnVelocityPiece basis_functions_on_piece(const ImpactSplineBasis& basis,
+                                                       const VelocityAxisPiece& piece) {
   const int p = basis.speed_basis().degree();
-  BasisFunctionsOnPiece functions;
+  BasisFunctionsOnVelocityPiece functions;
   double slope = 0;
-  if (piece.side == VelocitySide::below || piece.side == VelocitySide::above) {
-    functions.indices = {piece.side == VelocitySide::below ? 0 : basis.size() - 1};
+  if (piece.side == VelocityAxisPart::below || piece.side == VelocityAxisPart::above) {
+    functions.indices = {piece.side == VelocityAxisPart::below ? 0 : basis.size() - 1};
     functions.polynomials = {numerics::BernsteinCoefficients(p + 1, numerics::Interval(1))};
   } else {
-    const bool in = piece.side == VelocitySide::incoming;
+    const bool in = piece.side == VelocityAxisPart::incoming;
     const numerics::Interval r = basis.restitution();
     const auto rows = numerics::bezier_extraction<numerics::Interval>(
         basis.speed_basis(), piece.knot_span,
         in ? numerics::Interval(-piece.begin) : piece.begin / r,
         in ? numerics::Interval(-piece.end) : piece.end / r);
     for (int l = 0; l <= p; ++l) {
-      functions.indices.push_back(in ? basis.incoming_index(piece.knot_span + l)
-                                     : basis.outgoing_index(piece.knot_span + l));
+      functions.indices.push_back(in ? basis.incoming_basis_index(piece.knot_span + l)
+                                     : basis.outgoing_basis_index(piece.knot_span + l));
       functions.polynomials.emplace_back(rows.row(l).begin(), rows.row(l).end());
       for (int j = 0; j < p; ++j) {
         slope = std::max(slope, magnitude(rows(l, j + 1) - rows(l, j)));
@@ -88,12 +89,12 @@ BasisFunctionsOnPiece basis_functions_on_piece(const ImpactSplineBasis& basis,
   return functions;
 }
 
-std::vector<numerics::BernsteinCoefficients> enclose_partial_sum_slopes(
-    const ImpactSplineBasis& basis, const VelocityPiece& piece) {
-  const bool in = piece.side == VelocitySide::incoming;
+std::vector<numerics::BernsteinCoefficients> enclose_slopes_of_basis_partial_sums(
+    const ImpactSplineBasis& basis, const VelocityAxisPiece& piece) {
+  const bool in = piece.side == VelocityAxisPart::incoming;
   const numerics::Interval r = basis.restitution(),
                            sign_and_scale = in ? numerics::Interval(-1) : 1.0 / r;
-  std::vector<numerics::BernsteinCoefficients> slopes = enclose_partial_sum_slopes(
+  std::vector<numerics::BernsteinCoefficients> slopes = enclose_slopes_of_basis_partial_sums(
       basis.speed_basis(), piece.knot_span, in ? numerics::Interval(-piece.begin) : piece.begin / r,
       in ? numerics::Interval(-piece.end) : piece.end / r);
   for (numerics::BernsteinCoefficients& slope : slopes) {
@@ -102,7 +103,7 @@ std::vector<numerics::BernsteinCoefficients> enclose_partial_sum_slopes(
   return slopes;
 }
 
-std::vector<double> velocity_breaks(const ImpactSplineBasis& basis) {
+std::vector<double> basis_break_velocities(const ImpactSplineBasis& basis) {
   const std::span<const double> u = basis.speed_basis().breaks();
   std::vector<double> breaks;
   for (std::size_t i = u.size(); i-- > 0;) breaks.push_back(-u[i]);
@@ -110,13 +111,14 @@ std::vector<double> velocity_breaks(const ImpactSplineBasis& basis) {
   return breaks;
 }
 
-std::vector<VelocityPiece> divide_velocity_axis(const ImpactSplineBasis& basis,
-                                                std::span<const double> cuts, double max_length) {
-  // A cut closer than `negligible` to a knot is omitted: VelocityPiece::overhang covers the
+std::vector<VelocityAxisPiece> divide_velocity_axis(const ImpactSplineBasis& basis,
+                                                    std::span<const double> cuts,
+                                                    double max_length) {
+  // A cut closer than `negligible` to a knot is omitted: VelocityAxisPiece::overhang covers the
   // distance between the cut and the knot.
   const double negligible = 4e-16 * basis.speed_basis().end();
-  std::vector<VelocityPiece> pieces;
-  const auto add_span = [&](VelocitySide side, int span) {
+  std::vector<VelocityAxisPiece> pieces;
+  const auto add_span = [&](VelocityAxisPart side, int span) {
     const auto [begin, end] = velocity_span_ends(basis, side, span);
     std::vector<numerics::Interval> points{begin};
     for (const double cut : cuts) {
@@ -139,13 +141,13 @@ std::vector<VelocityPiece> divide_velocity_axis(const ImpactSplineBasis& basis,
     }
   };
   for (int s = basis.speed_basis().break_span_count(); s-- > 0;)
-    add_span(VelocitySide::incoming, s);
+    add_span(VelocityAxisPart::incoming, s);
   for (int s = 0; s < basis.speed_basis().break_span_count(); ++s)
-    add_span(VelocitySide::outgoing, s);
+    add_span(VelocityAxisPart::outgoing, s);
   return pieces;
 }
 
-std::vector<numerics::BernsteinCoefficients> enclose_partial_sum_slopes(
+std::vector<numerics::BernsteinCoefficients> enclose_slopes_of_basis_partial_sums(
     const numerics::SplineBasis& basis, int knot_span, const numerics::Interval& from,
     const numerics::Interval& to) {
   const int p = basis.degree();

@@ -98,18 +98,18 @@ VelocityPieceConstraints velocity_piece_constraints(const ImpactSplineBasis& bas
       },
       law.law_variant());
   for (const double amplitude : amplitudes) {
-    for (const double v : velocity_breaks(basis))
+    for (const double v : basis_break_velocities(basis))
       constraints.break_velocities.push_back(v - amplitude);
   }
   std::sort(constraints.break_velocities.begin(), constraints.break_velocities.end());
   return constraints;
 }
 
-ImpulseMeanTable compute_impulse_mean_table(const ImpactSplineBasis& basis,
-                                            const std::vector<VelocityPiece>& pieces,
-                                            const problem::ImpulseLaw& law) {
+PostImpulseMeanTable compute_impulse_mean_table(const ImpactSplineBasis& basis,
+                                                const std::vector<VelocityAxisPiece>& pieces,
+                                                const problem::ImpulseLaw& law) {
   return std::visit(
-      [&]<class Law>(const Law& kind) -> ImpulseMeanTable {
+      [&]<class Law>(const Law& kind) -> PostImpulseMeanTable {
         if constexpr (LawWithEnclosures<Law>) {
           return tabulate_impulse_means(kind, basis, pieces);
         } else {
@@ -136,10 +136,10 @@ numerics::Interval enclose_amplitude_moment(const problem::ImpulseLaw& law, int 
       law.law_variant());
 }
 
-ImpulseMeanTable make_zero_impulse_mean_table(const ImpactSplineBasis& basis,
-                                              const std::vector<VelocityPiece>& pieces,
-                                              int coefficient_count) {
-  ImpulseMeanTable table{basis.size(), coefficient_count, {}, 0};
+PostImpulseMeanTable make_zero_impulse_mean_table(const ImpactSplineBasis& basis,
+                                                  const std::vector<VelocityAxisPiece>& pieces,
+                                                  int coefficient_count) {
+  PostImpulseMeanTable table{basis.size(), coefficient_count, {}, 0};
   table.coefficients.assign(
       pieces.size() * static_cast<std::size_t>(basis.size() * coefficient_count),
       numerics::Interval(0));

@@ -10,7 +10,7 @@ namespace fpkcheck::backward {
 /// Table of the means K B_b of the basis functions after an impulse, (K V)(v) = E[V(v + Y)], for
 /// every function B_b of an ImpactSplineBasis on every piece of the velocity axis. Each element of
 /// the table is a polynomial of t = (v - begin)/(end - begin) with enclosed Bernstein coefficients.
-struct ImpulseMeanTable {
+struct PostImpulseMeanTable {
   int function_count = 0;     ///< number of basis functions B_b
   int coefficient_count = 0;  ///< number of Bernstein coefficients of a polynomial, degree + 1
   /// Bernstein coefficients, shape (pieces, function_count, coefficient_count)
@@ -20,12 +20,13 @@ struct ImpulseMeanTable {
   double remainder_bound = 0;
 
   /// Returns the Bernstein coefficients of one basis function on one piece.
-  std::span<numerics::Interval> polynomial_coefficients(int piece, int function) {
+  std::span<numerics::Interval> post_impulse_mean_coefficients(int piece, int function) {
     return {&coefficients[(static_cast<std::size_t>(piece) * function_count + function) *
                           coefficient_count],
             static_cast<std::size_t>(coefficient_count)};
   }
-  std::span<const numerics::Interval> polynomial_coefficients(int piece, int function) const {
+  std::span<const numerics::Interval> post_impulse_mean_coefficients(int piece,
+                                                                     int function) const {
     return {&coefficients[(static_cast<std::size_t>(piece) * function_count + function) *
                           coefficient_count],
             static_cast<std::size_t>(coefficient_count)};
@@ -36,8 +37,8 @@ struct ImpulseMeanTable {
 /// other functions of impulse_mean_table.hpp require such a law.
 bool has_interval_enclosures(const problem::ImpulseLaw& law);
 
-/// Conditions on the pieces of the velocity axis under which the polynomials of an ImpulseMeanTable
-/// are accurate.
+/// Conditions on the pieces of the velocity axis under which the polynomials of an
+/// PostImpulseMeanTable are accurate.
 struct VelocityPieceConstraints {
   double max_length;  ///< largest permitted length of a piece
   /// Velocities, besides the breaks of the basis, at which K B_b is not smooth and a piece must
@@ -49,9 +50,9 @@ VelocityPieceConstraints velocity_piece_constraints(const ImpactSplineBasis& bas
 
 /// Computes the table of the means K B_b for the amplitude law.
 /// @param pieces pieces that satisfy velocity_piece_constraints()
-ImpulseMeanTable compute_impulse_mean_table(const ImpactSplineBasis& basis,
-                                            const std::vector<VelocityPiece>& pieces,
-                                            const problem::ImpulseLaw& law);
+PostImpulseMeanTable compute_impulse_mean_table(const ImpactSplineBasis& basis,
+                                                const std::vector<VelocityAxisPiece>& pieces,
+                                                const problem::ImpulseLaw& law);
 
 /// Returns an enclosure of the moment E[Y^n] of the amplitude, computed from the stored parameters
 /// of the law.
@@ -59,25 +60,25 @@ numerics::Interval enclose_amplitude_moment(const problem::ImpulseLaw& law, int 
 
 // Implementations of compute_impulse_mean_table() for each amplitude law. A law without an
 // implementation has no guaranteed bounds.
-ImpulseMeanTable tabulate_impulse_means(const problem::ExponentialLaw& law,
-                                        const ImpactSplineBasis& basis,
-                                        const std::vector<VelocityPiece>& pieces);
-ImpulseMeanTable tabulate_impulse_means(const problem::GaussianLaw& law,
-                                        const ImpactSplineBasis& basis,
-                                        const std::vector<VelocityPiece>& pieces);
-ImpulseMeanTable tabulate_impulse_means(const problem::LaplaceLaw& law,
-                                        const ImpactSplineBasis& basis,
-                                        const std::vector<VelocityPiece>& pieces);
-ImpulseMeanTable tabulate_impulse_means(const problem::TwoPointLaw& law,
-                                        const ImpactSplineBasis& basis,
-                                        const std::vector<VelocityPiece>& pieces);
-ImpulseMeanTable tabulate_impulse_means(const problem::UniformLaw& law,
-                                        const ImpactSplineBasis& basis,
-                                        const std::vector<VelocityPiece>& pieces);
+PostImpulseMeanTable tabulate_impulse_means(const problem::ExponentialLaw& law,
+                                            const ImpactSplineBasis& basis,
+                                            const std::vector<VelocityAxisPiece>& pieces);
+PostImpulseMeanTable tabulate_impulse_means(const problem::GaussianLaw& law,
+                                            const ImpactSplineBasis& basis,
+                                            const std::vector<VelocityAxisPiece>& pieces);
+PostImpulseMeanTable tabulate_impulse_means(const problem::LaplaceLaw& law,
+                                            const ImpactSplineBasis& basis,
+                                            const std::vector<VelocityAxisPiece>& pieces);
+PostImpulseMeanTable tabulate_impulse_means(const problem::TwoPointLaw& law,
+                                            const ImpactSplineBasis& basis,
+                                            const std::vector<VelocityAxisPiece>& pieces);
+PostImpulseMeanTable tabulate_impulse_means(const problem::UniformLaw& law,
+                                            const ImpactSplineBasis& basis,
+                                            const std::vector<VelocityAxisPiece>& pieces);
 
 /// Returns a table whose coefficients and remainder bound are 0.
-ImpulseMeanTable make_zero_impulse_mean_table(const ImpactSplineBasis& basis,
-                                              const std::vector<VelocityPiece>& pieces,
-                                              int coefficient_count);
+PostImpulseMeanTable make_zero_impulse_mean_table(const ImpactSplineBasis& basis,
+                                                  const std::vector<VelocityAxisPiece>& pieces,
+                                                  int coefficient_count);
 
 }  // namespace fpkcheck::backward

@@ -16,7 +16,8 @@ NormalEquations::NormalEquations(numerics::BlockBandedMatrix matrix, const std::
   factorised_matrix_.scale_symmetrically(diagonal_scaling_);
   factorised_matrix_.add_to_diagonal(kRidge);
   if (!factorised_matrix_.factorise()) {
-    throw FitFailure("the normal equations of " + fit_name + " are not positive definite");
+    throw LeastSquaresFitFailure("the normal equations of " + fit_name +
+                                 " are not positive definite");
   }
 }
 

@@ -9,7 +9,7 @@
 namespace fpkcheck::backward {
 
 /// Exception of a least-squares fit whose normal equations are not positive definite.
-struct FitFailure : std::runtime_error {
+struct LeastSquaresFitFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
@@ -20,7 +20,7 @@ class NormalEquations {
  public:
   /// Scales and factorises the matrix N.
   /// @param fit_name name of the fit in the error message, such as "the fit"
-  /// @throws FitFailure "the normal equations of `fit_name` are not positive definite"
+  /// @throws LeastSquaresFitFailure "the normal equations of `fit_name` are not positive definite"
   NormalEquations(numerics::BlockBandedMatrix matrix, const std::string& fit_name);
 
   /// Returns the solutions x for the right-hand sides b, both of shape (unknowns, right-hand

@@ -11,15 +11,15 @@ namespace {
 
 // Integrals I(v) = int_{-u_max}^v B_b(z) dz of all basis functions. The class stores the values at
 // the beginning of each knot span and at the end of the last knot span.
-class BasisIntegrals {
+class BasisFunctionIntegrals {
  public:
-  explicit BasisIntegrals(const ImpactSplineBasis& basis) : basis_(basis) {
+  explicit BasisFunctionIntegrals(const ImpactSplineBasis& basis) : basis_(basis) {
     std::vector<numerics::Interval> sum(basis.size(), numerics::Interval(0));
     spans_ =
         divide_velocity_axis(basis, {}, 4 * (basis.highest_velocity() - basis.lowest_velocity()));
-    for (const VelocityPiece& span : spans_) {
+    for (const VelocityAxisPiece& span : spans_) {
       values_at_span_begin_.push_back(sum);
-      const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, span);
+      const BasisFunctionsOnVelocityPiece functions = basis_functions_on_piece(basis, span);
       for (std::size_t l = 0; l < functions.indices.size(); ++l) {
         sum[functions.indices[l]] += span.length() * mean(functions.polynomials[l]);
       }
@@ -30,11 +30,11 @@ class BasisIntegrals {
   /// Adds factor * I on the piece to the Bernstein coefficients of each basis function.
   /// @param coefficients shape (number of basis functions, order)
   /// @return an upper bound of |I - polynomial|
-  double add_multiple(const VelocityPiece& piece, const numerics::Interval& factor,
+  double add_multiple(const VelocityAxisPiece& piece, const numerics::Interval& factor,
                       std::span<numerics::Interval> coefficients, int order) const {
-    const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis_, piece);
+    const BasisFunctionsOnVelocityPiece functions = basis_functions_on_piece(basis_, piece);
     const int span_index = span_position(piece);
-    const bool below = piece.side == VelocitySide::below;
+    const bool below = piece.side == VelocityAxisPart::below;
     for (int b = 0; b < basis_.size(); ++b) {
       for (int j = 0; j < order; ++j)
         coefficients[b * order + j] += factor * values_at_span_begin_[span_index][b];
@@ -43,8 +43,8 @@ class BasisIntegrals {
     // of the basis, the gap extends from the piece to the beginning of the range.
     const numerics::Interval begin =
         span_index < static_cast<int>(spans_.size()) ? spans_[span_index].begin : spans_.back().end;
-    const VelocityPiece gap{piece.side, piece.knot_span, begin, piece.begin, 0};
-    const BasisFunctionsOnPiece functions_on_gap = basis_functions_on_piece(basis_, gap);
+    const VelocityAxisPiece gap{piece.side, piece.knot_span, begin, piece.begin, 0};
+    const BasisFunctionsOnVelocityPiece functions_on_gap = basis_functions_on_piece(basis_, gap);
     for (std::size_t l = 0; l < functions.indices.size(); ++l) {
       numerics::BernsteinCoefficients integral(functions.polynomials[l].size() + 1);
       integral[0] =
@@ -70,42 +70,42 @@ class BasisIntegrals {
     return sum / static_cast<double>(b.size());
   }
   // Returns the position of the knot span of a piece in increasing order of v.
-  int span_position(const VelocityPiece& piece) const {
+  int span_position(const VelocityAxisPiece& piece) const {
     const int count = basis_.speed_basis().break_span_count();
     switch (piece.side) {
-      case VelocitySide::below:
+      case VelocityAxisPart::below:
         return 0;
-      case VelocitySide::incoming:
+      case VelocityAxisPart::incoming:
         return count - 1 - piece.knot_span;
-      case VelocitySide::outgoing:
+      case VelocityAxisPart::outgoing:
         return count + piece.knot_span;
-      case VelocitySide::above:
+      case VelocityAxisPart::above:
         return 2 * count;
     }
     return 0;
   }
 
   const ImpactSplineBasis& basis_;
-  std::vector<VelocityPiece> spans_;
+  std::vector<VelocityAxisPiece> spans_;
   std::vector<std::vector<numerics::Interval>> values_at_span_begin_;
 };
 
 }  // namespace
 
-ImpulseMeanTable tabulate_impulse_means(const problem::UniformLaw& law,
-                                        const ImpactSplineBasis& basis,
-                                        const std::vector<VelocityPiece>& pieces) {
+PostImpulseMeanTable tabulate_impulse_means(const problem::UniformLaw& law,
+                                            const ImpactSplineBasis& basis,
+                                            const std::vector<VelocityAxisPiece>& pieces) {
   const int order = basis.speed_basis().degree() + 2;
-  ImpulseMeanTable table = make_zero_impulse_mean_table(basis, pieces, order);
-  const BasisIntegrals integrals(basis);
+  PostImpulseMeanTable table = make_zero_impulse_mean_table(basis, pieces, order);
+  const BasisFunctionIntegrals integrals(basis);
   numerics::Interval error = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::span<numerics::Interval> out(
-        table.polynomial_coefficients(static_cast<int>(i), 0).data(),
+        table.post_impulse_mean_coefficients(static_cast<int>(i), 0).data(),
         static_cast<std::size_t>(basis.size() * order));
     for (const double sign : {-1.0, 1.0}) {
       const numerics::Interval shift = numerics::Interval(law.mean) + sign * law.half_width;
-      const VelocityPiece shifted_piece =
+      const VelocityAxisPiece shifted_piece =
           make_velocity_piece(basis, pieces[i].begin + shift, pieces[i].end + shift);
       const numerics::Interval factor = sign / (2.0 * numerics::Interval(law.half_width));
       const double piece_error = integrals.add_multiple(shifted_piece, factor, out, order);
@@ -118,23 +118,23 @@ ImpulseMeanTable tabulate_impulse_means(const problem::UniformLaw& law,
   return table;
 }
 
-ImpulseMeanTable tabulate_impulse_means(const problem::TwoPointLaw& law,
-                                        const ImpactSplineBasis& basis,
-                                        const std::vector<VelocityPiece>& pieces) {
+PostImpulseMeanTable tabulate_impulse_means(const problem::TwoPointLaw& law,
+                                            const ImpactSplineBasis& basis,
+                                            const std::vector<VelocityAxisPiece>& pieces) {
   const int order = basis.speed_basis().degree() + 2;  // order of the term v V_y of the generator
-  ImpulseMeanTable table = make_zero_impulse_mean_table(basis, pieces, order);
+  PostImpulseMeanTable table = make_zero_impulse_mean_table(basis, pieces, order);
   double overhang = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (const double sign : {-1.0, 1.0}) {
       const numerics::Interval shift = numerics::Interval(law.mean) + sign * law.deviation;
-      const BasisFunctionsOnPiece shifted_functions = basis_functions_on_piece(
+      const BasisFunctionsOnVelocityPiece shifted_functions = basis_functions_on_piece(
           basis, make_velocity_piece(basis, pieces[i].begin + shift, pieces[i].end + shift));
       overhang = std::max(overhang, shifted_functions.overhang_error);
       for (std::size_t l = 0; l < shifted_functions.indices.size(); ++l) {
         const numerics::BernsteinCoefficients b =
             elevate_bernstein_degree(shifted_functions.polynomials[l], order - 1);
         const std::span<numerics::Interval> out =
-            table.polynomial_coefficients(static_cast<int>(i), shifted_functions.indices[l]);
+            table.post_impulse_mean_coefficients(static_cast<int>(i), shifted_functions.indices[l]);
         for (int j = 0; j < order; ++j) out[j] += b[j] / 2.0;
       }
     }

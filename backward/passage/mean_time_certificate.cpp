@@ -84,10 +84,10 @@ double GrazingArc::largest_speed() const { return std::sqrt(*std::ranges::max_el
 
 double region_velocity(const ImpactOscillator& oscillator, const GrazingTrajectory& grazing,
                        Region region, double s, double eta) {
-  const double speed = (is_incoming(region) ? grazing.incoming : grazing.outgoing).speed(s);
-  if (is_trapped(region)) return (is_incoming(region) ? -eta : eta) * speed;
-  return is_incoming(region) ? -std::hypot(eta / oscillator.restitution, speed)
-                             : std::hypot(eta, speed);
+  const double speed = (is_incoming_region(region) ? grazing.incoming : grazing.outgoing).speed(s);
+  if (is_trapped_region(region)) return (is_incoming_region(region) ? -eta : eta) * speed;
+  return is_incoming_region(region) ? -std::hypot(eta / oscillator.restitution, speed)
+                                    : std::hypot(eta, speed);
 }
 
 namespace {
@@ -140,15 +140,15 @@ double certificate_allowance(const ImpactOscillator& oscillator, double y, doubl
          kAtBarrier * std::pow(height, 12) + kAtGrazingPoint * kSize / (kSize + distance);
 }
 
-struct CertificateKnots {
+struct CertificateSplineKnots {
   std::vector<double> s, s_of_exit_up, trapped_eta, exit_eta;
 };
 
 // Returns the knots of V. They are dense at the barrier (s = 0), at the wall, and at the grazing
 // trajectory (eta = 1 in the trapped regions, eta = 0 in the exit regions).
-CertificateKnots certificate_knots(const ImpactOscillator& oscillator, double wall_speed,
-                                   double largest_eta) {
-  CertificateKnots knots{
+CertificateSplineKnots certificate_knots(const ImpactOscillator& oscillator, double wall_speed,
+                                         double largest_eta) {
+  CertificateSplineKnots knots{
       .s = {0,   .004, .011, .017, .025, .035, .05, .07, .1, .14, .19, .24,  .3,   .36,
             .42, .48,  .54,  .6,   .66,  .72,  .78, .84, .9, .95, .98, .993, .998, 1},
       .s_of_exit_up = {0,  .002, .0032, .0048, .007, .011, .017, .025, .035, .05, .07, .1, .14,
@@ -173,7 +173,7 @@ CertificateKnots certificate_knots(const ImpactOscillator& oscillator, double wa
 
 // Computes the slopes of V at the knots from the values. V_s(0, eta) is zero in the incoming
 // regions, where V is smooth in s^2, and proportional to eta in the region trapped_up.
-void compute_slopes(Region region, BicubicFunction& function) {
+void compute_slopes(Region region, PiecewiseBicubicFunction& function) {
   const Eigen::Index n_s = function.value.rows(), n_eta = function.value.cols();
   Eigen::MatrixXd values(n_s + 1, n_eta);
   values.topRows(n_s) = function.value;
@@ -201,7 +201,7 @@ void compute_slopes(Region region, BicubicFunction& function) {
   function.eta_slope = function.value * eta_matrix.transpose();
   function.mixed_slope = function.s_slope * eta_matrix.transpose();
   // Exact zeros, which rounding may have changed
-  if (is_incoming(region)) {
+  if (is_incoming_region(region)) {
     function.s_slope.row(0).setZero();
     function.mixed_slope.row(0).setZero();
   } else {
@@ -211,7 +211,7 @@ void compute_slopes(Region region, BicubicFunction& function) {
 
 }  // namespace
 
-std::optional<std::array<MeanTimeCertificate, 2>> compute_mean_time_certificates(
+std::optional<std::array<MeanPassageTimeCertificate, 2>> compute_mean_time_certificates(
     const problem::Problem& problem, const ImpactOscillator& oscillator,
     const base::Deadline& deadline) {
   const GrazingTrajectory grazing(oscillator);
@@ -220,7 +220,7 @@ std::optional<std::array<MeanTimeCertificate, 2>> compute_mean_time_certificates
   // Outside the domain, eta > largest_eta, the speed exceeds twice the barrier times the rate. The
   // proof needs this inequality.
   const double largest_eta = std::max(2 * rate * barrier + 0.7 * wall_speed, 2.47 * wall_speed);
-  const CertificateKnots knots = certificate_knots(oscillator, wall_speed, largest_eta);
+  const CertificateSplineKnots knots = certificate_knots(oscillator, wall_speed, largest_eta);
 
   // Collocation of the renewal equation with the sources 1 + e and 1 - e
   constexpr double kNodesPerDeviation = 2.1, kPanelRefinement = 0.3;
@@ -270,32 +270,32 @@ std::optional<std::array<MeanTimeCertificate, 2>> compute_mean_time_certificates
         times[k] += weight * (1 + (k == 0 ? allowance : -allowance) +
                               rate * v_polynomials.dot(h[k] * y_polynomials));
     };
-    for (const TrajectoryNode& node : trajectory.nodes)
+    for (const TrajectoryQuadratureNode& node : trajectory.nodes)
       add(node.weight * std::exp(-rate * node.time), node.state);
     if (!trajectory.passed_barrier)
       add(std::exp(-rate * trajectory.duration) / rate, trajectory.end_state);
     return times;
   };
 
-  std::array<MeanTimeCertificate, 2> certificates{
-      MeanTimeCertificate{.is_upper = true, .regions = {}},
-      MeanTimeCertificate{.is_upper = false, .regions = {}}};
+  std::array<MeanPassageTimeCertificate, 2> certificates{
+      MeanPassageTimeCertificate{.is_upper = true, .regions = {}},
+      MeanPassageTimeCertificate{.is_upper = false, .regions = {}}};
   for (const Region region : kRegions) {
     const auto& s_knots = region == exit_up ? knots.s_of_exit_up : knots.s;
-    const auto& eta_knots = is_trapped(region) ? knots.trapped_eta : knots.exit_eta;
+    const auto& eta_knots = is_trapped_region(region) ? knots.trapped_eta : knots.exit_eta;
     const auto n_s = static_cast<Eigen::Index>(s_knots.size());
     const auto n_eta = static_cast<Eigen::Index>(eta_knots.size());
-    for (MeanTimeCertificate& certificate : certificates)
+    for (MeanPassageTimeCertificate& certificate : certificates)
       certificate.regions[region] = {s_knots, eta_knots, Eigen::MatrixXd::Zero(n_s, n_eta),
                                      {},      {},        {}};
     base::parallel_for(s_knots.size(), base::kOneThreadPerProcessor, [&](std::size_t row) {
       for (std::size_t column = 0; column < eta_knots.size(); ++column) {
         if (region == exit_up && row == 0) continue;
-        if (deadline.has_passed()) return;
+        if (deadline.has_deadline_passed()) return;
         constexpr double kInside = 1e-12, kOutside = 1e-6;
         const double s = s_knots[row];
-        const double eta = is_trapped(region) ? std::min(eta_knots[column], 1 - kInside)
-                                              : std::max(eta_knots[column], kOutside);
+        const double eta = is_trapped_region(region) ? std::min(eta_knots[column], 1 - kInside)
+                                                     : std::max(eta_knots[column], kOutside);
         const bool is_at_wall = row + 1 == s_knots.size();
         // At the wall V has the values after the impact.
         const Region after = !is_at_wall              ? region
@@ -304,15 +304,15 @@ std::optional<std::array<MeanTimeCertificate, 2>> compute_mean_time_certificates
                                                       : region;
         const auto times = mean_times_from(
             {is_at_wall ? 0 : barrier - s * s, region_velocity(oscillator, grazing, after, s, eta)},
-            is_trapped(region));
+            is_trapped_region(region));
         for (std::size_t k = 0; k < 2; ++k)
           certificates[k].regions[region].value(static_cast<Eigen::Index>(row),
                                                 static_cast<Eigen::Index>(column)) = times[k];
       }
     });
   }
-  if (deadline.has_passed()) return std::nullopt;
-  for (MeanTimeCertificate& certificate : certificates) {
+  if (deadline.has_deadline_passed()) return std::nullopt;
+  for (MeanPassageTimeCertificate& certificate : certificates) {
     auto& [down, up, exit_down_function, exit_up_function] = certificate.regions;
     // Equal values where regions meet: at v = 0, and before and after an impact. At the barrier all
     // values of eta in the region trapped_up are the same state.

@@ -67,15 +67,19 @@ struct GrazingTrajectory {
 /// The impact at y = 0 preserves eta.
 enum Region { trapped_down, trapped_up, exit_down, exit_up };
 inline constexpr std::array kRegions = {trapped_down, trapped_up, exit_down, exit_up};
-inline bool is_trapped(Region region) { return region == trapped_down || region == trapped_up; }
-inline bool is_incoming(Region region) { return region == trapped_down || region == exit_down; }
+inline bool is_trapped_region(Region region) {
+  return region == trapped_down || region == trapped_up;
+}
+inline bool is_incoming_region(Region region) {
+  return region == trapped_down || region == exit_down;
+}
 
 /// Returns the velocity at the coordinates (s, eta) of a region.
 double region_velocity(const ImpactOscillator& oscillator, const GrazingTrajectory& grazing,
                        Region region, double s, double eta);
 
 /// Piecewise bicubic function of (s, eta) with continuous first derivatives (Hermite form).
-struct BicubicFunction {
+struct PiecewiseBicubicFunction {
   std::vector<double> s_knots, eta_knots;
   /// Value, d/ds, d/deta and d^2/(ds deta) at the knots, shape (s knots, eta knots)
   Eigen::MatrixXd value, s_slope, eta_slope, mixed_slope;
@@ -84,19 +88,19 @@ struct BicubicFunction {
 /// Function V on the phase plane below the barrier, with V(0, r u) = V(0, -u), V continuous at v =
 /// 0, and V = 0 at the barrier for v > 0. V is an approximate mean time to the passage, plus or
 /// minus a small allowance for the errors of the approximation.
-struct MeanTimeCertificate {
+struct MeanPassageTimeCertificate {
   bool is_upper;
-  std::array<BicubicFunction, 4> regions;  ///< in the order of Region
+  std::array<PiecewiseBicubicFunction, 4> regions;  ///< in the order of Region
 };
 
 /// Computes the certificates of the upper and the lower bound. The result is empty if the deadline
 /// passes.
-std::optional<std::array<MeanTimeCertificate, 2>> compute_mean_time_certificates(
+std::optional<std::array<MeanPassageTimeCertificate, 2>> compute_mean_time_certificates(
     const problem::Problem& problem, const ImpactOscillator& oscillator,
     const base::Deadline& deadline);
 
 /// Result of the verification of a certificate.
-struct VerifiedBound {
+struct VerifiedPassageTimeBound {
   bool is_proved = false;
   double bound = 0;  ///< bound of the mean passage time from rest
 };
@@ -105,8 +109,8 @@ struct VerifiedBound {
 /// oscillator, and computes the bound that follows. The bound is not proved if the inequality fails
 /// on at least one rectangle or if the deadline passes.
 /// @param refinement factor by which the rectangles are smaller than with the factor 1
-VerifiedBound verify_certificate(const MeanTimeCertificate& certificate,
-                                 const ImpactOscillator& oscillator, double refinement,
-                                 const base::Deadline& deadline);
+VerifiedPassageTimeBound verify_certificate(const MeanPassageTimeCertificate& certificate,
+                                            const ImpactOscillator& oscillator, double refinement,
+                                            const base::Deadline& deadline);
 
 }  // namespace fpkcheck::backward

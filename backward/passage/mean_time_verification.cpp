@@ -14,14 +14,14 @@ namespace {
 
 // Upper bounds of |a|, |a'| and |a''| on an interval of s for the speed a(s) on an arc of the
 // grazing trajectory, and a lower bound of a. For the outgoing arc also bounds of q = a / s.
-struct ArcBounds {
+struct GrazingArcSpeedBounds {
   double least, largest, slope, curvature;
   double least_ratio = 0, largest_ratio = 0, ratio_slope = 0, ratio_curvature = 0;
 };
 
-class ArcBoundsFinder {
+class GrazingArcSpeedBoundsFinder {
  public:
-  ArcBoundsFinder(const ImpactOscillator& oscillator, const GrazingTrajectory& grazing)
+  GrazingArcSpeedBoundsFinder(const ImpactOscillator& oscillator, const GrazingTrajectory& grazing)
       : oscillator_(oscillator),
         grazing_(grazing),
         s_max_(std::sqrt(oscillator.barrier)),
@@ -55,11 +55,11 @@ class ArcBoundsFinder {
 
   // With F = g(b - s^2) + c a: a' = 2 F / q, q^2 = 4 int_0^1 x F(s x) dx, and therefore |(q^2)'| <=
   // 4/3 max |F'| and |(q^2)''| <= max |F''|, where the maxima are over [0, s].
-  ArcBounds outgoing(double s0, double s1) const {
+  GrazingArcSpeedBounds outgoing(double s0, double s1) const {
     constexpr double kPad = 1e-6;
     const double c = oscillator_.damping, width = s1 - s0;
     const GrazingArc& arc = grazing_.outgoing;
-    ArcBounds bounds{};
+    GrazingArcSpeedBounds bounds{};
     bounds.least = arc.speed(s0) * (1 - kPad);
     bounds.largest = arc.speed(s1) * (1 + kPad);
     const double ratio_slope = 4.0 / 3 * f_slope_ / (2 * least_ratio_);
@@ -83,10 +83,10 @@ class ArcBoundsFinder {
   }
 
   // With F = g(b - s^2) - c A: A' = 2 s F / A.
-  ArcBounds incoming(double s0, double s1) const {
+  GrazingArcSpeedBounds incoming(double s0, double s1) const {
     const double c = oscillator_.damping, pad = (s1 - s0 + 1e-6) * incoming_slope_;
     const double first = grazing_.incoming.speed(s0), last = grazing_.incoming.speed(s1);
-    ArcBounds bounds{};
+    GrazingArcSpeedBounds bounds{};
     bounds.least = std::min(first, last) - pad;
     bounds.largest = std::max(first, last) + pad;
     const double f0 = oscillator_.spring_force(oscillator_.barrier - s0 * s0) - c * bounds.least;
@@ -114,7 +114,7 @@ struct Rectangle {
 
 // A bicubic polynomial sum c_ij t^i u^j of t = (s - s_origin) / s_width and u = (eta - eta_origin)
 // / eta_width.
-struct Patch {
+struct BicubicPatch {
   std::array<std::array<double, 4>, 4> c{};
   double s_origin, eta_origin, s_width, eta_width;
 
@@ -140,11 +140,11 @@ struct Patch {
 };
 
 // Polynomial patch of a bicubic function on the cell (i, j) of its knots.
-Patch make_patch(const BicubicFunction& f, std::size_t i, std::size_t j) {
-  Patch patch{.s_origin = f.s_knots[i],
-              .eta_origin = f.eta_knots[j],
-              .s_width = f.s_knots[i + 1] - f.s_knots[i],
-              .eta_width = f.eta_knots[j + 1] - f.eta_knots[j]};
+BicubicPatch make_patch(const PiecewiseBicubicFunction& f, std::size_t i, std::size_t j) {
+  BicubicPatch patch{.s_origin = f.s_knots[i],
+                     .eta_origin = f.eta_knots[j],
+                     .s_width = f.s_knots[i + 1] - f.s_knots[i],
+                     .eta_width = f.eta_knots[j + 1] - f.eta_knots[j]};
   // Power coefficients of the cubic with the values v and the slopes m at 0 and 1
   const auto cubic = [](double v0, double m0, double v1, double m1) {
     return std::array{v0, m0, 3 * (v1 - v0) - 2 * m0 - m1, m0 + m1 - 2 * (v1 - v0)};
@@ -170,8 +170,8 @@ std::size_t cell_index(const std::vector<double>& knots, double x) {
 }
 
 // V_s / s, for a patch at s = 0 with V_s = 0 at s = 0.
-Patch s_slope_over_s(const Patch& patch) {
-  Patch result = patch;
+BicubicPatch s_slope_over_s(const BicubicPatch& patch) {
+  BicubicPatch result = patch;
   result.c = {};
   for (std::size_t b = 0; b < 4; ++b) {
     result.c[0][b] = 2 * patch.c[2][b] / (patch.s_width * patch.s_width);
@@ -181,8 +181,8 @@ Patch s_slope_over_s(const Patch& patch) {
 }
 
 // V_eta / s, for a patch at s = 0 with V_eta = 0 at s = 0.
-Patch eta_slope_over_s(const Patch& patch) {
-  Patch result = patch;
+BicubicPatch eta_slope_over_s(const BicubicPatch& patch) {
+  BicubicPatch result = patch;
   result.c = {};
   for (std::size_t a = 1; a < 4; ++a) {
     for (std::size_t b = 1; b < 4; ++b)
@@ -194,11 +194,11 @@ Patch eta_slope_over_s(const Patch& patch) {
 
 // Upper bounds of the derivatives |d^(i+j) V / (ds^i deta^j)| of a patch on a rectangle, and the
 // range of V, from the Taylor polynomial at the centre.
-struct PatchBounds {
+struct BicubicPatchDerivativeBounds {
   std::array<std::array<double, 4>, 4> derivative;
   double centre, low, high;
 
-  PatchBounds(const Patch& patch, const Rectangle& r) {
+  BicubicPatchDerivativeBounds(const BicubicPatch& patch, const Rectangle& r) {
     auto c = patch.c;
     const double t = ((r.s0 + r.s1) / 2 - patch.s_origin) / patch.s_width;
     const double u = ((r.eta0 + r.eta1) / 2 - patch.eta_origin) / patch.eta_width;
@@ -244,12 +244,12 @@ struct PatchBounds {
 
 // Bounds of the speed W(s, eta) of a region on a rectangle: its range, and upper bounds of the
 // magnitudes of its derivatives.
-struct SpeedBounds {
+struct SpeedBoundsOnRectangle {
   double low, high, s, ss, eta, eta2, eta3, s_eta, ss_eta;
 
-  SpeedBounds(Region region, const ImpactOscillator& oscillator, const ArcBounds& arc,
-              const Rectangle& r) {
-    if (is_trapped(region)) {  // W = eta a(s)
+  SpeedBoundsOnRectangle(Region region, const ImpactOscillator& oscillator,
+                         const GrazingArcSpeedBounds& arc, const Rectangle& r) {
+    if (is_trapped_region(region)) {  // W = eta a(s)
       low = r.eta0 * arc.least;
       high = r.eta1 * arc.largest;
       s = r.eta1 * arc.slope;
@@ -280,7 +280,7 @@ double normal_density(double x) { return 0.3989422804014327 * std::exp(-x * x / 
 double normal_tail(double x) { return std::erfc(x / std::sqrt(2.0)) / 2; }
 
 // Values on a uniform grid of velocities.
-struct VelocityGrid {
+struct UniformVelocityGrid {
   double limit;
   int count;
 
@@ -291,10 +291,10 @@ struct VelocityGrid {
 
 // Density of the Gaussian amplitude, and upper bounds of the magnitudes of its value and of its
 // first two derivatives for amplitudes in a range.
-struct KernelBounds {
+struct AmplitudeDensityBounds {
   double value, slope, curvature;
 
-  KernelBounds(double amplitude_low, double amplitude_high, double deviation) {
+  AmplitudeDensityBounds(double amplitude_low, double amplitude_high, double deviation) {
     const double nearest = std::max({0.0, amplitude_low, -amplitude_high}) / deviation;
     const double farthest = std::max(std::abs(amplitude_low), std::abs(amplitude_high)) / deviation;
     const double at_nearest = normal_density(nearest), at_farthest = normal_density(farthest);
@@ -314,10 +314,11 @@ struct KernelBounds {
   }
 };
 
-class Verification {
+class CertificateVerification {
  public:
-  Verification(const MeanTimeCertificate& certificate, const ImpactOscillator& oscillator,
-               double refinement, const base::Deadline& deadline)
+  CertificateVerification(const MeanPassageTimeCertificate& certificate,
+                          const ImpactOscillator& oscillator, double refinement,
+                          const base::Deadline& deadline)
       : certificate_(certificate),
         oscillator_(oscillator),
         deadline_(deadline),
@@ -333,7 +334,7 @@ class Verification {
     bound_values();
   }
 
-  VerifiedBound run();
+  VerifiedPassageTimeBound run();
 
  private:
   struct Line {
@@ -348,13 +349,13 @@ class Verification {
 
   void make_grid(double refinement);
   void bound_values();
-  Patch patch(Region region, const Rectangle& r) const {
-    const BicubicFunction& f = certificate_.regions[region];
+  BicubicPatch patch(Region region, const Rectangle& r) const {
+    const PiecewiseBicubicFunction& f = certificate_.regions[region];
     return make_patch(f, cell_index(f.s_knots, (r.s0 + r.s1) / 2),
                       cell_index(f.eta_knots, (r.eta0 + r.eta1) / 2));
   }
   const std::vector<double>& eta_grid(Region region) const {
-    return is_trapped(region) ? trapped_eta_ : exit_eta_;
+    return is_trapped_region(region) ? trapped_eta_ : exit_eta_;
   }
   int coarse_count() const { return (velocities_.count + kCoarse - 1) / kCoarse; }
   // Calls visit(coarse index, kernel bounds) for the coarse velocities that amplitudes connect to
@@ -365,17 +366,19 @@ class Verification {
   MeanCurvature bound_mean_curvature(double s0, double s1) const;
   double mean_at(const Line& line, double v) const;
   double coarse_bound(const std::vector<double>& values, double v) const;
-  double residual_without_mean(Region region, const Patch& patch, double s, double eta) const;
-  bool verify_rectangle(Region region, const Rectangle& r, const ArcBounds& arc, const Line& left,
-                        const Line& right, const MeanCurvature& curvature, bool& can_bisect) const;
+  double residual_without_mean(Region region, const BicubicPatch& patch, double s,
+                               double eta) const;
+  bool verify_rectangle(Region region, const Rectangle& r, const GrazingArcSpeedBounds& arc,
+                        const Line& left, const Line& right, const MeanCurvature& curvature,
+                        bool& can_bisect) const;
 
-  const MeanTimeCertificate& certificate_;
+  const MeanPassageTimeCertificate& certificate_;
   ImpactOscillator oscillator_;
   const base::Deadline& deadline_;
   GrazingTrajectory grazing_;
-  ArcBoundsFinder arcs_;
+  GrazingArcSpeedBoundsFinder arcs_;
   double s_max_, largest_eta_;
-  VelocityGrid velocities_;
+  UniformVelocityGrid velocities_;
   std::vector<double> s_grid_, trapped_eta_, exit_eta_;
   double value_low_ = 0, value_high_ = 0, outer_value_ = 0;
   double strip_low_ = 0, strip_high_ = 0;  // range of V in the strip at the barrier
@@ -383,7 +386,7 @@ class Verification {
   double mean_slope_ = 0, mean_curvature_ = 0, interpolation_error_ = 0;
 };
 
-void Verification::make_grid(double refinement) {
+void CertificateVerification::make_grid(double refinement) {
   const auto refine = [](const std::vector<double>& knots, const auto& longest) {
     std::vector<double> grid;
     for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
@@ -414,20 +417,20 @@ void Verification::make_grid(double refinement) {
   });
 }
 
-void Verification::bound_values() {
+void CertificateVerification::bound_values() {
   constexpr int kParts = 4;
   value_low_ = strip_low_ = 0;
   value_high_ = strip_high_ = 0;
   for (const Region region : kRegions) {
-    const BicubicFunction& f = certificate_.regions[region];
+    const PiecewiseBicubicFunction& f = certificate_.regions[region];
     for (std::size_t i = 0; i + 1 < f.s_knots.size(); ++i) {
       for (std::size_t j = 0; j + 1 < f.eta_knots.size(); ++j) {
-        const Patch cell = make_patch(f, i, j);
+        const BicubicPatch cell = make_patch(f, i, j);
         for (int p = 0; p < kParts; ++p) {
           for (int q = 0; q < kParts; ++q) {
             const double s = cell.s_origin + cell.s_width * p / kParts;
             const double eta = cell.eta_origin + cell.eta_width * q / kParts;
-            const PatchBounds bounds(
+            const BicubicPatchDerivativeBounds bounds(
                 cell, {s, s + cell.s_width / kParts, eta, eta + cell.eta_width / kParts});
             value_low_ = std::min(value_low_, bounds.low);
             value_high_ = std::max(value_high_, bounds.high);
@@ -458,9 +461,10 @@ void Verification::bound_values() {
 }
 
 template <class Visit>
-void Verification::visit_kernels(Region region, double low, double high, const Visit& visit) const {
-  const double v_low = is_incoming(region) ? -high : low;
-  const double v_high = is_incoming(region) ? -low : high;
+void CertificateVerification::visit_kernels(Region region, double low, double high,
+                                            const Visit& visit) const {
+  const double v_low = is_incoming_region(region) ? -high : low;
+  const double v_high = is_incoming_region(region) ? -low : high;
   const double reach = kReach * oscillator_.deviation;
   const double width = velocities_.step() * kCoarse;
   const int first = std::max(0, static_cast<int>((v_low - reach + velocities_.limit) / width));
@@ -469,33 +473,35 @@ void Verification::visit_kernels(Region region, double low, double high, const V
   for (int j = first; j <= last; ++j) {
     const double v = velocities_.at(kCoarse * j), radius = 0.5000001 * width;
     visit(static_cast<std::size_t>(j),
-          KernelBounds(v_low - v - radius, v_high - v + radius, oscillator_.deviation));
+          AmplitudeDensityBounds(v_low - v - radius, v_high - v + radius, oscillator_.deviation));
   }
 }
 
 // Computes K V at y = b - s^2 by the midpoint rule in eta. The error bounds are h^3 / 24 times the
 // second derivatives of the integrand V phi(W - v) W_eta with respect to eta.
-void Verification::compute_mean_on_line(double s, Line& line) const {
+void CertificateVerification::compute_mean_on_line(double s, Line& line) const {
   const double deviation = oscillator_.deviation;
   line.mean.assign(static_cast<std::size_t>(velocities_.count), 0);
   line.error.assign(static_cast<std::size_t>(coarse_count()), 0);
   for (const Region region : kRegions) {
     // At s = 0 the region trapped_up has no width, and V is 0 in the region exit_up.
-    if (s == 0 && !is_incoming(region)) continue;
-    const ArcBounds arc = is_incoming(region) ? arcs_.incoming(s, s) : arcs_.outgoing(s, s);
+    if (s == 0 && !is_incoming_region(region)) continue;
+    const GrazingArcSpeedBounds arc =
+        is_incoming_region(region) ? arcs_.incoming(s, s) : arcs_.outgoing(s, s);
     const double kappa =
         region == exit_down ? 1 / (oscillator_.restitution * oscillator_.restitution) : 1;
-    const double a = (is_incoming(region) ? grazing_.incoming : grazing_.outgoing).speed(s);
+    const double a = (is_incoming_region(region) ? grazing_.incoming : grazing_.outgoing).speed(s);
     const auto& grid = eta_grid(region);
     for (std::size_t m = 0; m + 1 < grid.size(); ++m) {
       const double width = grid[m + 1] - grid[m], eta = (grid[m] + grid[m + 1]) / 2;
       const Rectangle r{s, s, grid[m], grid[m + 1]};
-      const PatchBounds V(patch(region, r), r);
-      const SpeedBounds W(region, oscillator_, arc, r);
-      const double speed = is_trapped(region) ? eta * a : std::sqrt(kappa * eta * eta + a * a);
+      const BicubicPatchDerivativeBounds V(patch(region, r), r);
+      const SpeedBoundsOnRectangle W(region, oscillator_, arc, r);
+      const double speed =
+          is_trapped_region(region) ? eta * a : std::sqrt(kappa * eta * eta + a * a);
       const double weight =
-          V.centre * (is_trapped(region) ? a : kappa * eta / speed) * width / deviation;
-      const double v = is_incoming(region) ? -speed : speed;
+          V.centre * (is_trapped_region(region) ? a : kappa * eta / speed) * width / deviation;
+      const double v = is_incoming_region(region) ? -speed : speed;
       // The Gaussian density at equidistant velocities, from the nearest one outward: consecutive
       // values have ratios that form a geometric sequence.
       const double h = velocities_.step() / deviation;
@@ -520,10 +526,11 @@ void Verification::compute_mean_on_line(double s, Line& line) const {
       const double with_slope =
           factor * (2 * V(0, 1) * W.eta * W.eta + 3 * V(0, 0) * W.eta * W.eta2);
       const double with_curvature = factor * V(0, 0) * W.eta * W.eta * W.eta;
-      visit_kernels(region, W.low, W.high, [&](std::size_t j, const KernelBounds& kernel) {
-        line.error[j] += with_value * kernel.value + with_slope * kernel.slope +
-                         with_curvature * kernel.curvature;
-      });
+      visit_kernels(region, W.low, W.high,
+                    [&](std::size_t j, const AmplitudeDensityBounds& kernel) {
+                      line.error[j] += with_value * kernel.value + with_slope * kernel.slope +
+                                       with_curvature * kernel.curvature;
+                    });
     }
   }
   const double up = std::hypot(largest_eta_, grazing_.outgoing.speed(s));
@@ -536,13 +543,14 @@ void Verification::compute_mean_on_line(double s, Line& line) const {
   }
 }
 
-Verification::MeanCurvature Verification::bound_mean_curvature(double s0, double s1) const {
+CertificateVerification::MeanCurvature CertificateVerification::bound_mean_curvature(
+    double s0, double s1) const {
   const auto count = static_cast<std::size_t>(coarse_count());
   MeanCurvature bounds{std::vector<double>(count, 0), std::vector<double>(count, 0)};
-  const ArcBounds outgoing = arcs_.outgoing(s0, s1), incoming = arcs_.incoming(s0, s1);
+  const GrazingArcSpeedBounds outgoing = arcs_.outgoing(s0, s1), incoming = arcs_.incoming(s0, s1);
   const double ds = s1 - s0;
   for (const Region region : kRegions) {
-    const ArcBounds& arc = is_incoming(region) ? incoming : outgoing;
+    const GrazingArcSpeedBounds& arc = is_incoming_region(region) ? incoming : outgoing;
     const auto& grid = eta_grid(region);
     const bool is_in_strip =
         region == exit_up && s1 <= certificate_.regions[exit_up].s_knots[1] * (1 + 1e-9);
@@ -550,35 +558,37 @@ Verification::MeanCurvature Verification::bound_mean_curvature(double s0, double
     for (std::size_t m = 0; m + 1 < grid.size(); ++m) {
       const Rectangle r{s0, s1, grid[m], grid[m + 1]};
       const double h = grid[m + 1] - grid[m];
-      const PatchBounds V(patch(region, r), r);
+      const BicubicPatchDerivativeBounds V(patch(region, r), r);
       if (is_in_strip && r.eta0 < corner) {
         // Near the grazing point the derivatives are unbounded. The contribution to K V differs
         // from its linear interpolation by at most its range.
         const double high = std::hypot(r.eta1, arc.largest);
         const double range = 2 * V(0, 0) * (high - r.eta0);
         const double equivalent_curvature = 8 * range / (ds * ds);
-        visit_kernels(region, r.eta0, high, [&](std::size_t j, const KernelBounds& kernel) {
-          bounds.ss[j] += equivalent_curvature * kernel.value;
-        });
+        visit_kernels(region, r.eta0, high,
+                      [&](std::size_t j, const AmplitudeDensityBounds& kernel) {
+                        bounds.ss[j] += equivalent_curvature * kernel.value;
+                      });
         continue;
       }
-      const SpeedBounds W(region, oscillator_, arc, r);
+      const SpeedBoundsOnRectangle W(region, oscillator_, arc, r);
       const double ss_value = h * (V(2, 0) * W.eta + 2 * V(1, 0) * W.s_eta + V(0, 0) * W.ss_eta);
       const double ss_slope =
           h * (2 * V(1, 0) * W.s * W.eta + V(0, 0) * (W.ss * W.eta + 2 * W.s * W.s_eta));
       const double ss_curvature = h * V(0, 0) * W.s * W.s * W.eta;
       const double sv_slope = h * (V(1, 0) * W.eta + V(0, 0) * W.s_eta);
       const double sv_curvature = h * V(0, 0) * W.s * W.eta;
-      visit_kernels(region, W.low, W.high, [&](std::size_t j, const KernelBounds& kernel) {
-        bounds.ss[j] +=
-            ss_value * kernel.value + ss_slope * kernel.slope + ss_curvature * kernel.curvature;
-        bounds.sv[j] += sv_slope * kernel.slope + sv_curvature * kernel.curvature;
-      });
+      visit_kernels(
+          region, W.low, W.high, [&](std::size_t j, const AmplitudeDensityBounds& kernel) {
+            bounds.ss[j] +=
+                ss_value * kernel.value + ss_slope * kernel.slope + ss_curvature * kernel.curvature;
+            bounds.sv[j] += sv_slope * kernel.slope + sv_curvature * kernel.curvature;
+          });
     }
-    if (is_trapped(region)) continue;
+    if (is_trapped_region(region)) continue;
     // The probability of the states with eta > largest_eta
-    const SpeedBounds W(region, oscillator_, arc, {s0, s1, largest_eta_, largest_eta_});
-    visit_kernels(region, W.low, W.high, [&](std::size_t j, const KernelBounds& kernel) {
+    const SpeedBoundsOnRectangle W(region, oscillator_, arc, {s0, s1, largest_eta_, largest_eta_});
+    visit_kernels(region, W.low, W.high, [&](std::size_t j, const AmplitudeDensityBounds& kernel) {
       const double outer = std::abs(outer_value_);
       bounds.ss[j] += outer * (kernel.slope * W.s * W.s + kernel.value * W.ss);
       bounds.sv[j] += outer * kernel.slope * W.s;
@@ -587,7 +597,7 @@ Verification::MeanCurvature Verification::bound_mean_curvature(double s0, double
   return bounds;
 }
 
-double Verification::mean_at(const Line& line, double v) const {
+double CertificateVerification::mean_at(const Line& line, double v) const {
   const double x = velocities_.position(v);
   const int first = std::clamp(static_cast<int>(x) - 1, 0, velocities_.count - 4);
   const double t = x - first;
@@ -596,18 +606,18 @@ double Verification::mean_at(const Line& line, double v) const {
          f[2] * t * (t - 1) * (t - 3) / 2 + f[3] * t * (t - 1) * (t - 2) / 6;
 }
 
-double Verification::coarse_bound(const std::vector<double>& values, double v) const {
+double CertificateVerification::coarse_bound(const std::vector<double>& values, double v) const {
   const int j =
       std::clamp(static_cast<int>(velocities_.position(v) / kCoarse), 0, coarse_count() - 2);
   return std::max(values[static_cast<std::size_t>(j)], values[static_cast<std::size_t>(j + 1)]);
 }
 
 // Returns s' V_s + eta' V_eta + 1 - lambda V, with s' = -v / (2 s).
-double Verification::residual_without_mean(Region region, const Patch& cell, double s,
-                                           double eta) const {
+double CertificateVerification::residual_without_mean(Region region, const BicubicPatch& cell,
+                                                      double s, double eta) const {
   const double c = oscillator_.damping, y = oscillator_.barrier - s * s;
   const double force = oscillator_.spring_force(y);
-  const double a = (is_incoming(region) ? grazing_.incoming : grazing_.outgoing).speed(s);
+  const double a = (is_incoming_region(region) ? grazing_.incoming : grazing_.outgoing).speed(s);
   const bool is_first = cell.s_origin == 0;
   const double v = region_velocity(oscillator_, grazing_, region, s, eta);
   const double eta_slope = cell.derivative(s, eta, 0, 1);
@@ -629,19 +639,20 @@ double Verification::residual_without_mean(Region region, const Patch& cell, dou
   return along_s + along_eta + 1 - oscillator_.arrival_rate * cell.derivative(s, eta, 0, 0);
 }
 
-bool Verification::verify_rectangle(Region region, const Rectangle& r, const ArcBounds& arc,
-                                    const Line& left, const Line& right,
-                                    const MeanCurvature& curvature, bool& can_bisect) const {
-  const Patch cell = patch(region, r);
-  const PatchBounds V(cell, r);
-  const SpeedBounds W(region, oscillator_, arc, r);
+bool CertificateVerification::verify_rectangle(Region region, const Rectangle& r,
+                                               const GrazingArcSpeedBounds& arc, const Line& left,
+                                               const Line& right, const MeanCurvature& curvature,
+                                               bool& can_bisect) const {
+  const BicubicPatch cell = patch(region, r);
+  const BicubicPatchDerivativeBounds V(cell, r);
+  const SpeedBoundsOnRectangle W(region, oscillator_, arc, r);
   const bool is_first = cell.s_origin == 0;
   const double c = oscillator_.damping, rate = oscillator_.arrival_rate;
   // Bounds of the second derivatives of the residual in s and in eta
   double in_s = rate * V(2, 0), in_eta = rate * V(0, 2);
   // The product f V_j, with bounds of f and of its derivatives
   const auto add = [&](double f, double f_s, double f_ss, double f_eta, double f_eta2,
-                       const PatchBounds& g, std::size_t i, std::size_t j) {
+                       const BicubicPatchDerivativeBounds& g, std::size_t i, std::size_t j) {
     const auto at = [&](std::size_t m, std::size_t n) { return m < 4 && n < 4 ? g(m, n) : 0.0; };
     in_s += f_ss * at(i, j) + 2 * f_s * at(i + 1, j) + f * at(i + 2, j);
     in_eta += f_eta2 * at(i, j) + 2 * f_eta * at(i, j + 1) + f * at(i, j + 2);
@@ -651,14 +662,14 @@ bool Verification::verify_rectangle(Region region, const Rectangle& r, const Arc
     add(r.eta1 * arc.largest_ratio / 2, r.eta1 * arc.ratio_slope / 2,
         r.eta1 * arc.ratio_curvature / 2, arc.largest_ratio / 2, 0, V, 1, 0);
   } else if (is_first) {
-    add(W.high / 2, W.s / 2, W.ss / 2, W.eta / 2, W.eta2 / 2, PatchBounds(s_slope_over_s(cell), r),
-        0, 0);
+    add(W.high / 2, W.s / 2, W.ss / 2, W.eta / 2, W.eta2 / 2,
+        BicubicPatchDerivativeBounds(s_slope_over_s(cell), r), 0, 0);
   } else {
     add(W.high / (2 * s0), W.s / (2 * s0) + W.high / (2 * s0 * s0),
         W.ss / (2 * s0) + W.s / (s0 * s0) + W.high / (s0 * s0 * s0), W.eta / (2 * s0),
         W.eta2 / (2 * s0), V, 1, 0);
   }
-  if (is_trapped(region)) {
+  if (is_trapped_region(region)) {
     // g (1 - eta^2) / a, or g (1 - eta^2) / q for V_eta / s
     const double force = oscillator_.spring_force(oscillator_.barrier - s0 * s0);
     const double force_s = 2 * r.s1 * arcs_.force_slope();
@@ -673,7 +684,7 @@ bool Verification::verify_rectangle(Region region, const Rectangle& r, const Arc
                  f_ss = force_ss * inverse + 2 * force_s * inverse_s + force * inverse_ss;
     const double shape = 1 - r.eta0 * r.eta0;
     add(f * shape, f_s * shape, f_ss * shape, f * 2 * r.eta1, f * 2,
-        over_s ? PatchBounds(eta_slope_over_s(cell), r) : V, 0, over_s ? 0 : 1);
+        over_s ? BicubicPatchDerivativeBounds(eta_slope_over_s(cell), r) : V, 0, over_s ? 0 : 1);
     add(c / 4, 0, 0, c, 2 * c, V, 0, 1);
   } else {
     // c eta (1 - a / (W + a))
@@ -687,7 +698,7 @@ bool Verification::verify_rectangle(Region region, const Rectangle& r, const Arc
         2 * c * share_eta + c * r.eta1 * share_eta2, V, 0, 1);
   }
   // K V as a function of s and of v = +-W(s, eta)
-  const double sign = is_incoming(region) ? -1 : 1;
+  const double sign = is_incoming_region(region) ? -1 : 1;
   double ss = 0, sv = 0;
   // Each bound is valid between two neighbouring coarse velocities.
   const double coarse_step = kCoarse * velocities_.step();
@@ -726,23 +737,24 @@ bool Verification::verify_rectangle(Region region, const Rectangle& r, const Arc
   return true;
 }
 
-VerifiedBound Verification::run() {
-  VerifiedBound result;
+VerifiedPassageTimeBound CertificateVerification::run() {
+  VerifiedPassageTimeBound result;
   if (!arcs_.is_valid() || !(largest_eta_ > 2 * oscillator_.arrival_rate * oscillator_.barrier) ||
       !std::isfinite(value_high_ - value_low_)) {
     return result;
   }
   std::vector<Line> lines(s_grid_.size());
   base::parallel_for(lines.size(), base::kOneThreadPerProcessor, [&](std::size_t i) {
-    if (!deadline_.has_passed()) compute_mean_on_line(s_grid_[i], lines[i]);
+    if (!deadline_.has_deadline_passed()) compute_mean_on_line(s_grid_[i], lines[i]);
   });
   const double strip_end = certificate_.regions[exit_up].s_knots[1];
   std::atomic<bool> has_failed = false;
   base::parallel_for(lines.size() - 1, base::kOneThreadPerProcessor, [&](std::size_t i) {
-    if (has_failed || deadline_.has_passed()) return;
+    if (has_failed || deadline_.has_deadline_passed()) return;
     const double s0 = s_grid_[i], s1 = s_grid_[i + 1];
     const MeanCurvature curvature = bound_mean_curvature(s0, s1);
-    const ArcBounds outgoing = arcs_.outgoing(s0, s1), incoming = arcs_.incoming(s0, s1);
+    const GrazingArcSpeedBounds outgoing = arcs_.outgoing(s0, s1),
+                                incoming = arcs_.incoming(s0, s1);
     for (const Region region : kRegions) {
       // The proof does not need the inequality in the strip at the barrier.
       if (region == exit_up && s1 <= strip_end * (1 + 1e-9)) continue;
@@ -760,7 +772,7 @@ VerifiedBound Verification::run() {
         constexpr int kMaxDepth = 6;
         bool can_bisect = false;
         const bool is_verified =
-            verify_rectangle(region, r, is_incoming(region) ? incoming : outgoing, lines[i],
+            verify_rectangle(region, r, is_incoming_region(region) ? incoming : outgoing, lines[i],
                              lines[i + 1], curvature, can_bisect);
         if (!is_verified && can_bisect && depth < kMaxDepth) {
           const double middle = (r.eta0 + r.eta1) / 2;
@@ -774,7 +786,7 @@ VerifiedBound Verification::run() {
       }
     }
   });
-  if (has_failed || deadline_.has_passed()) return result;
+  if (has_failed || deadline_.has_deadline_passed()) return result;
   result.is_proved = true;
 
   // The start at rest: 1 / lambda + K V at (0, 0)
@@ -801,14 +813,14 @@ VerifiedBound Verification::run() {
 
 }  // namespace
 
-VerifiedBound verify_certificate(const MeanTimeCertificate& certificate,
-                                 const ImpactOscillator& oscillator, double refinement,
-                                 const base::Deadline& deadline) {
+VerifiedPassageTimeBound verify_certificate(const MeanPassageTimeCertificate& certificate,
+                                            const ImpactOscillator& oscillator, double refinement,
+                                            const base::Deadline& deadline) {
   const bool is_supported = oscillator.stiffness > 0 && oscillator.cubic >= 0 &&
                             oscillator.damping >= 0 && oscillator.restitution > 0 &&
                             oscillator.restitution <= 1;
   if (!is_supported) return {};
-  return Verification(certificate, oscillator, refinement, deadline).run();
+  return CertificateVerification(certificate, oscillator, refinement, deadline).run();
 }
 
 }  // namespace fpkcheck::backward

@@ -29,7 +29,7 @@ using transform::Status;
 using transform::ValueWithError;
 
 // The problem below the barrier, in wall coordinates.
-struct PassageProblem {
+struct FirstPassageProblem {
   const problem::Problem& problem;
   double frequency;  // of the motion (problem::MotionScales)
   ChebyshevGrid::Domain domain;
@@ -63,8 +63,8 @@ std::string passage_unsupported_reason(const problem::Problem& problem, double b
 
 // Returns the problem with a domain that contains the motion before the barrier and from the
 // initial state. The largest impulse widens the range of velocities.
-PassageProblem make_passage_problem(const problem::Problem& problem, double barrier,
-                                    const std::optional<transform::PassageStartState>& start) {
+FirstPassageProblem make_passage_problem(const problem::Problem& problem, double barrier,
+                                         const std::optional<transform::PassageStartState>& start) {
   const problem::MotionScales scales = problem::motion_scales(problem);
   const problem::EffectivePotential potential(problem.system);
   const auto& wall = problem.system.left_wall();
@@ -88,8 +88,8 @@ PassageProblem make_passage_problem(const problem::Problem& problem, double barr
   double speed = std::sqrt(2 * (highest - lowest));
   const auto [most_negative, most_positive] =
       effective_amplitude_range(problem.impulses.amplitude_law());
-  const UnforcedMotionSolver motion(problem.system, barrier,
-                                    problem.impulses.amplitude_law().deviation(), 1);
+  const UnforcedMotionSolver motion(
+      problem.system, barrier, problem.impulses.amplitude_law().amplitude_standard_deviation(), 1);
   if (motion.acceleration({barrier, 0}) < 0) {
     // Traced backward in time, the trajectory that grazes the barrier reaches the barrier within
     // about one period.
@@ -112,18 +112,18 @@ PassageProblem make_passage_problem(const problem::Problem& problem, double barr
 // motion through the domain, plus kMinDeviations standard deviations for the cusp of h at rest on
 // the wall. The mean time from rest of case 1 (barrier 1.5, 114.27394) differs from the mean time
 // with kMinDeviations = 10 by 6e-6 with kMinDeviations = 2, and by 1e-6 with 4.
-std::array<double, 2> choose_node_counts(const PassageProblem& passage,
+std::array<double, 2> choose_node_counts(const FirstPassageProblem& passage,
                                          double nodes_per_deviation) {
   constexpr double kMinDeviations = 4;
   const auto& [y_low, barrier, v_max] = passage.domain;
-  const double deviation = passage.problem.impulses.amplitude_law().deviation();
+  const double deviation = passage.problem.impulses.amplitude_law().amplitude_standard_deviation();
   const double speed = passage.frequency * (barrier - y_low);
   return {std::ceil(nodes_per_deviation * (kMinDeviations + speed / deviation)),
           std::ceil(nodes_per_deviation * 2 * v_max / deviation)};
 }
 
 // Stationary laws on two grids, whose difference is the error of the law
-struct StationaryLaws {
+struct StationaryCrossingsOnTwoGrids {
   StationaryCrossings finer, coarser;
 };
 
@@ -144,8 +144,8 @@ ValueWithError estimate_from_grids(double finer, double coarser) {
 // Computes the crossings of the barrier in the stationary process until the relative errors of
 // their rate and of the probability below the barrier are below `tolerance`. The result is empty if
 // the error is larger when the deadline passes, or with the largest number of nodes.
-std::optional<StationaryLaws> solve_stationary_laws(const PassageProblem& passage, double tolerance,
-                                                    const base::Deadline& deadline) {
+std::optional<StationaryCrossingsOnTwoGrids> solve_stationary_laws(
+    const FirstPassageProblem& passage, double tolerance, const base::Deadline& deadline) {
   if (passage.problem.system.right_wall()) return std::nullopt;
   // Nodes per standard deviation of the amplitude on the first grid
   constexpr double kFirstNodes = 0.96;
@@ -153,8 +153,8 @@ std::optional<StationaryLaws> solve_stationary_laws(const PassageProblem& passag
   // exceeds exp(-7^2/2) times its peak. Outside the nodes, interpolated functions are constant.
   constexpr double kFraction = 0.85, kMinDeviationsBeyond = 2;
   const problem::MotionScales scales = problem::motion_scales(passage.problem);
-  const double deviation = passage.problem.impulses.amplitude_law().deviation();
-  PassageProblem whole = passage;
+  const double deviation = passage.problem.impulses.amplitude_law().amplitude_standard_deviation();
+  FirstPassageProblem whole = passage;
   auto& [y_low, barrier, v_max] = whole.domain;
   y_low = std::min(y_low, scales.y_low);
   v_max = std::max(v_max, kFraction * scales.v_high);
@@ -186,7 +186,7 @@ std::optional<StationaryLaws> solve_stationary_laws(const PassageProblem& passag
       const double error =
           std::max(relative_error(crossings->rates.sum(), last->rates.sum()),
                    relative_error(crossings->probability_below, last->probability_below));
-      if (error <= tolerance) return StationaryLaws{*crossings, *last};
+      if (error <= tolerance) return StationaryCrossingsOnTwoGrids{*crossings, *last};
       grids_to_tolerance = std::ceil(std::log(error / tolerance) / std::log(kErrorRatio));
     }
     seconds_to_tolerance = stopwatch.seconds() * std::pow(growth, grids_to_tolerance);
@@ -201,9 +201,9 @@ enum PassageFunctionalIndex { kOfPoint, kOfFinerLaw, kOfCoarserLaw, kFunctionalC
 // Solver of the renewal equation on one grid
 class PassageSolverOnGrid {
  public:
-  PassageSolverOnGrid(const PassageProblem& passage, const ChebyshevGrid& grid,
+  PassageSolverOnGrid(const FirstPassageProblem& passage, const ChebyshevGrid& grid,
                       double panel_refinement, double hazard,
-                      const std::optional<StationaryLaws>& laws)
+                      const std::optional<StationaryCrossingsOnTwoGrids>& laws)
       : passage_(passage),
         laws_(laws),
         rate_(passage.problem.impulses.arrival_rate()),
@@ -254,18 +254,18 @@ class PassageSolverOnGrid {
       const auto integral = equation_.integrate_from_state(state, {rate_ + shift});
       return source * integral.integral_of_one + rate_ * integral.node_weights.dot(node_values);
     });
-    model_.add({node_values, values, shift, source});
+    model_.add_basis_function({node_values, values, shift, source});
     return values;
   }
   PassageValues survival_probabilities(const std::vector<double>& times,
                                        PassageFunctionalIndex law) const;
 
-  const PassageProblem& passage_;
-  const std::optional<StationaryLaws>& laws_;
+  const FirstPassageProblem& passage_;
+  const std::optional<StationaryCrossingsOnTwoGrids>& laws_;
   double rate_, hazard_;
   Eigen::Index node_count_;
   RenewalEquation equation_;
-  ReducedPassageModel model_;
+  ReducedOrderPassageModel model_;
   PassageValues other_errors_;
 };
 
@@ -276,7 +276,7 @@ class PassageSolverOnGrid {
 PassageValues PassageSolverOnGrid::survival_probabilities(const std::vector<double>& times,
                                                           PassageFunctionalIndex law) const {
   const auto n = static_cast<Eigen::Index>(times.size());
-  const ReducedPassageModel::Modes modes = model_.compute_modes();
+  const ReducedOrderPassageModel::Modes modes = model_.compute_modes();
   const Eigen::VectorXcd of_point = modes.coefficients.row(kOfPoint),
                          of_law = (modes.coefficients.row(law).array() /
                                    -modes.rates.transpose().array());
@@ -329,7 +329,7 @@ std::optional<PassageValues> PassageSolverOnGrid::solve(std::vector<double>& tim
                twice = equation_.integrate_from_state(state, {rate_, 1});
     return twice.integral_of_one + rate_ * (twice.node_weights.dot(h) + once.node_weights.dot(h2));
   });
-  model_.add({h2, half_mean_square, 0, 0, true});
+  model_.add_basis_function({h2, half_mean_square, 0, 0, true});
   other_errors_ = PassageValues::Zero(kPassageValueCount);
   if (laws_) {
     // E[tau] = E[l^2] / (2 E[l]) for the lengths l of the stays below the barrier
@@ -385,21 +385,21 @@ FirstPassageResult solve_passage(const problem::Problem& problem,
   FirstPassageResult passage{.id = "characteristics"};
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  const double wall_barrier = transformed.frame.wall_x(barrier);
+  const double wall_barrier = transformed.frame.wall_coordinate(barrier);
   passage.reason = passage_unsupported_reason(transformed, wall_barrier);
   if (!passage.reason.empty()) {
     passage.status = Status::not_offered;
     return passage;
   }
   start = transform::passage_start_state(transformed, wall_barrier, start);
-  const PassageProblem below = make_passage_problem(transformed, wall_barrier, start);
+  const FirstPassageProblem below = make_passage_problem(transformed, wall_barrier, start);
 
   // Nodes per standard deviation of the amplitude on the first grid
   constexpr double kFirstNodes = 0.96;
   // The grids are refined until the error is a fraction of the required accuracy, since the errors
   // decrease quickly. The errors of the stationary law decrease slowly.
   constexpr double kTargetFraction = 1e-2, kTargetFractionOfLaw = 0.5, kTimeFractionOfLaw = 0.5;
-  const std::optional<StationaryLaws> laws =
+  const std::optional<StationaryCrossingsOnTwoGrids> laws =
       solve_stationary_laws(below, kTargetFractionOfLaw * options.accuracy,
                             base::Deadline(kTimeFractionOfLaw * options.max_seconds));
   std::optional<PassageValues> last;

@@ -25,12 +25,13 @@ struct PassageCollocationOptions {
 /// barrier. The mean h after an impulse is smooth except at rest on the wall.
 ///
 /// The hazard is the least number g for which 1 is an eigenvalue of lambda A, where A is the
-/// operator of RenewalEquation with the weight w(t) = exp(-(lambda - g) t). A ReducedPassageModel
-/// gives the survival probabilities, and StationaryCrossings give the values of the stationary
-/// start. The values of the stationary start are absent if there is a right wall, or if the error
-/// of the stationary law is above half of the accuracy within half of the time limit. The error
-/// estimate of a value is four times its difference from the value on the previous, coarser grid,
-/// plus, for survival probabilities, the change by the last shifts of the reduced model.
+/// operator of RenewalEquation with the weight w(t) = exp(-(lambda - g) t). A
+/// ReducedOrderPassageModel gives the survival probabilities, and StationaryCrossings give the
+/// values of the stationary start. The values of the stationary start are absent if there is a
+/// right wall, or if the error of the stationary law is above half of the accuracy within half of
+/// the time limit. The error estimate of a value is four times its difference from the value on the
+/// previous, coarser grid, plus, for survival probabilities, the change by the last shifts of the
+/// reduced model.
 /// @param times times of the survival probabilities; if empty, those of
 /// transform::automatic_survival_times() at which the errors are below the accuracy
 /// @param start initial state of FirstPassageResult::mean_from_point; if empty, the initial state

@@ -51,7 +51,7 @@ ImpactOscillator impact_oscillator(const problem::Problem& problem, double barri
           .cubic = system.restoring_force().coefficient(3),
           .restitution = system.left_wall()->restitution,
           .arrival_rate = problem.impulses.arrival_rate(),
-          .deviation = problem.impulses.amplitude_law().deviation(),
+          .deviation = problem.impulses.amplitude_law().amplitude_standard_deviation(),
           .barrier = barrier};
 }
 
@@ -64,7 +64,7 @@ FirstPassageResult bound_passage(const problem::Problem& problem,
   passage.has_guaranteed_errors = true;
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  const double wall_barrier = transformed.frame.wall_x(barrier);
+  const double wall_barrier = transformed.frame.wall_coordinate(barrier);
   passage.reason = mean_bounds_unsupported_reason(transformed, wall_barrier, start.has_value());
   if (!passage.reason.empty()) {
     passage.status = Status::not_offered;
@@ -77,17 +77,17 @@ FirstPassageResult bound_passage(const problem::Problem& problem,
   constexpr std::array kRefinements = {1.4, 2.2, 3.3};
   bool is_proved = certificates.has_value();
   for (std::size_t k = 0; k < 2 && is_proved; ++k) {
-    VerifiedBound verified;
+    VerifiedPassageTimeBound verified;
     for (const double refinement : kRefinements) {
       verified = verify_certificate((*certificates)[k], oscillator, refinement, deadline);
-      if (verified.is_proved || deadline.has_passed()) break;
+      if (verified.is_proved || deadline.has_deadline_passed()) break;
     }
     is_proved = verified.is_proved;
     bounds[k] = verified.bound;
   }
   passage.seconds = stopwatch.seconds();
   if (!is_proved) {
-    passage.reason = deadline.has_passed()
+    passage.reason = deadline.has_deadline_passed()
                          ? fmt::format("the time limit of {:g} s is reached; raise --max-seconds",
                                        options.max_seconds)
                      : certificates

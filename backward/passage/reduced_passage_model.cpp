@@ -8,7 +8,7 @@
 
 namespace fpkcheck::backward {
 
-void ReducedPassageModel::add(const BasisFunction& function) {
+void ReducedOrderPassageModel::add_basis_function(const BasisFunction& function) {
   assert(function.node_values.size() == node_count_);
   assert(function.functionals.size() == functional_count_);
   const Eigen::Index n = sources_.size();
@@ -26,7 +26,7 @@ void ReducedPassageModel::add(const BasisFunction& function) {
   last_norm_ = norm;
 }
 
-ReducedPassageModel::Modes ReducedPassageModel::compute_modes() const {
+ReducedOrderPassageModel::Modes ReducedOrderPassageModel::compute_modes() const {
   const Eigen::Index n = sources_.size();
   // With the orthonormal basis Q of V = Q R the projection is Q^T L Q = (R images - Q^T 1 sources)
   // R^-1, and a functional with the values f at the columns of V has the values f R^-1 at those of

@@ -10,11 +10,11 @@ namespace fpkcheck::backward {
 /// several real p (rational Krylov method: Ruhe, Linear Algebra Appl. 58 (1984) 391; Druskin and
 /// Simoncini, Systems & Control Letters 60 (2011) 546). The projection is orthogonal for the values
 /// at the nodes of the mean over an impulse. The reduced model has exact values u_p at each p.
-class ReducedPassageModel {
+class ReducedOrderPassageModel {
  public:
   /// @param node_count number of nodes
   /// @param functional_count number of linear functionals of S, such as its value at a start
-  ReducedPassageModel(Eigen::Index node_count, Eigen::Index functional_count)
+  ReducedOrderPassageModel(Eigen::Index node_count, Eigen::Index functional_count)
       : node_count_(node_count), functional_count_(functional_count) {}
 
   /// Function u with L u = shift u - source 1 - u_previous.
@@ -25,7 +25,7 @@ class ReducedPassageModel {
     double source = 1;          ///< 1 for Laplace transforms, 0 for eigenfunctions
     bool has_previous = false;  ///< whether u_previous is the function that was added last
   };
-  void add(const BasisFunction& function);
+  void add_basis_function(const BasisFunction& function);
 
   /// Modes of the functionals f: f(S(., t)) is the real part of the sum over k of
   /// coefficients(f, k) exp(rates(k) t). Modes that do not decay are artefacts and are omitted.

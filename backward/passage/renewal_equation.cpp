@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/process/parallel_for.hpp"
-#include "numerics/interpolation.hpp"
+#include "numerics/chebyshev_interpolation.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "numerics/roots/bracketed_root.hpp"
 
@@ -52,8 +52,9 @@ ChebyshevGrid::ChebyshevGrid(const Domain& domain, int y_node_count, int v_node_
 }
 
 void ChebyshevGrid::evaluate_y_polynomials(double y, Eigen::Ref<Eigen::VectorXd> values) const {
-  const double distance = std::clamp(domain_.side() * (domain_.barrier - y), 0.0,
-                                     domain_.side() * (domain_.barrier - domain_.y_end));
+  const double distance =
+      std::clamp(domain_.sign_of_barrier_distance() * (domain_.barrier - y), 0.0,
+                 domain_.sign_of_barrier_distance() * (domain_.barrier - domain_.y_end));
   y_interpolation_.evaluate_lagrange_polynomials(std::sqrt(distance), values);
 }
 
@@ -81,8 +82,9 @@ RenewalEquation::RenewalEquation(const problem::Problem& problem, const Chebyshe
     : problem_(problem),
       grid_(grid),
       panel_refinement_(panel_refinement),
-      motion_solver_(problem.system, grid.domain().barrier,
-                     problem.impulses.amplitude_law().deviation(), panel_refinement, barrier_kind),
+      motion_solver_(problem.system, grid.phase_plane_domain().barrier,
+                     problem.impulses.amplitude_law().amplitude_standard_deviation(),
+                     panel_refinement, barrier_kind),
       max_duration_(kMaxExponent / min_decay_rate) {
   assert(problem.impulses.amplitude_law().amplitude_atoms().empty() && !problem.impulse_factor);
   const auto [low, high] = effective_amplitude_range(problem.impulses.amplitude_law());
@@ -92,7 +94,7 @@ RenewalEquation::RenewalEquation(const problem::Problem& problem, const Chebyshe
 
 // Returns the velocities v at which integrals along the trajectory from (y, v) are not smooth in v.
 // The trajectories from these states graze the barrier or the wall.
-std::vector<double> RenewalEquation::find_non_smooth_velocities(double y) const {
+std::vector<double> RenewalEquation::find_velocities_of_nonsmooth_integrals(double y) const {
   const auto [low, high] = velocity_range();
   const double max_speed = std::max(-low, high);
   std::vector<double> velocities{0};  // T(0, -u) = T(0, r u) at a wall has a kink at u = 0
@@ -102,8 +104,8 @@ std::vector<double> RenewalEquation::find_non_smooth_velocities(double y) const 
       velocities.push_back(v);
     }
   };
-  if (motion_solver_.acceleration({grid_.domain().barrier, 0}) < 0)
-    add_velocities_of_grazing_trajectory(grid_.domain().barrier);
+  if (motion_solver_.acceleration({grid_.phase_plane_domain().barrier, 0}) < 0)
+    add_velocities_of_grazing_trajectory(grid_.phase_plane_domain().barrier);
   const auto& wall = problem_.system.left_wall();
   if (wall && motion_solver_.acceleration({wall->position, 0}) > 0)
     add_velocities_of_grazing_trajectory(wall->position);
@@ -111,17 +113,18 @@ std::vector<double> RenewalEquation::find_non_smooth_velocities(double y) const 
 }
 
 std::array<double, 2> RenewalEquation::velocity_range() const {
-  return {-grid_.domain().v_max + min_amplitude_, grid_.domain().v_max + max_amplitude_};
+  return {-grid_.phase_plane_domain().v_max + min_amplitude_,
+          grid_.phase_plane_domain().v_max + max_amplitude_};
 }
 
-double VelocityMap::velocity(double x) const {
+double VelocityIntervalMap::velocity(double x) const {
   if (is_smooth_at_begin && is_smooth_at_end) return begin + length * x;
   if (is_smooth_at_begin) return begin + length * x * (2 - x);
   if (is_smooth_at_end) return begin + length * x * x;
   return begin + length * x * x * (3 - 2 * x);
 }
 
-double VelocityMap::slope(double x) const {
+double VelocityIntervalMap::slope(double x) const {
   if (is_smooth_at_begin && is_smooth_at_end) return length;
   if (is_smooth_at_begin) return length * 2 * (1 - x);
   if (is_smooth_at_end) return length * 2 * x;
@@ -133,7 +136,8 @@ namespace {
 // Divides the interval [low, high] of x at the points where the amplitude density, as a function of
 // the velocity map.velocity(x) after an impulse, is not smooth. The velocity before the impulse is
 // v.
-std::vector<double> ends_of_smooth_parts(const VelocityMap& map, double low, double high, double v,
+std::vector<double> ends_of_smooth_parts(const VelocityIntervalMap& map, double low, double high,
+                                         double v,
                                          const std::vector<double>& amplitude_density_breakpoints) {
   std::vector<double> ends{low, high};
   for (const double amplitude : amplitude_density_breakpoints) {
@@ -148,13 +152,13 @@ std::vector<double> ends_of_smooth_parts(const VelocityMap& map, double low, dou
 
 }  // namespace
 
-std::vector<VelocityPanel> RenewalEquation::divide_velocities(double y, double low,
-                                                              double high) const {
+std::vector<VelocityQuadraturePanel> RenewalEquation::divide_velocities_into_panels(
+    double y, double low, double high) const {
   constexpr double kPanelWidth = 1.5;    // in standard deviations of the amplitude
   constexpr double kLargestSlope = 1.5;  // largest slope of x^2 (3 - 2 x)
-  const double deviation = problem_.impulses.amplitude_law().deviation();
+  const double deviation = problem_.impulses.amplitude_law().amplitude_standard_deviation();
   std::vector<double> ends{low, high};
-  for (const double v : find_non_smooth_velocities(y)) {
+  for (const double v : find_velocities_of_nonsmooth_integrals(y)) {
     if (v > low && v < high) ends.push_back(v);
   }
   std::ranges::sort(ends);
@@ -163,20 +167,21 @@ std::vector<VelocityPanel> RenewalEquation::divide_velocities(double y, double l
   ends.erase(
       std::unique(ends.begin(), ends.end(), [&](double a, double b) { return b - a < negligible; }),
       ends.end());
-  std::vector<VelocityPanel> panels;
+  std::vector<VelocityQuadraturePanel> panels;
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-    const VelocityMap map{.begin = ends[k],
-                          .length = ends[k + 1] - ends[k],
-                          .is_smooth_at_begin = k == 0,
-                          .is_smooth_at_end = k + 2 == ends.size()};
+    const VelocityIntervalMap map{.begin = ends[k],
+                                  .length = ends[k + 1] - ends[k],
+                                  .is_smooth_at_begin = k == 0,
+                                  .is_smooth_at_end = k + 2 == ends.size()};
     const int count =
         std::max(1, static_cast<int>(std::ceil(kLargestSlope * map.length * panel_refinement_ /
                                                (kPanelWidth * deviation))));
     for (int n = 0; n < count; ++n) {
-      VelocityPanel& panel = panels.emplace_back(VelocityPanel{
+      VelocityQuadraturePanel& panel = panels.emplace_back(VelocityQuadraturePanel{
           map, static_cast<double>(n) / count, static_cast<double>(n + 1) / count, {}, {}});
       for (const auto& [at, weight] :
-           numerics::composite_gauss_points<VelocityPanel::kPoints>(panel.begin, panel.end, 1)) {
+           numerics::composite_gauss_points<VelocityQuadraturePanel::kPoints>(panel.begin,
+                                                                              panel.end, 1)) {
         panel.nodes.push_back(at);
         panel.weights.push_back(weight);
       }
@@ -186,13 +191,14 @@ std::vector<VelocityPanel> RenewalEquation::divide_velocities(double y, double l
 }
 
 RenewalEquation::VelocityQuadrature RenewalEquation::make_velocity_quadrature(double y) const {
-  constexpr unsigned kPoints = VelocityPanel::kPoints, kPointsPerSmoothPart = 12;
+  constexpr unsigned kPoints = VelocityQuadraturePanel::kPoints, kPointsPerSmoothPart = 12;
   const problem::ImpulseLaw& law = problem_.impulses.amplitude_law();
   const std::vector<double> breakpoints = law.amplitude_density_breakpoints();
   const auto [low, high] = velocity_range();
   VelocityQuadrature rule;
   std::vector<Eigen::MatrixXd> panel_weights;
-  for (const auto& [map, begin, end, nodes, gauss_weights] : divide_velocities(y, low, high)) {
+  for (const auto& [map, begin, end, nodes, gauss_weights] :
+       divide_velocities_into_panels(y, low, high)) {
     for (const double x : nodes) rule.velocities.push_back(map.velocity(x));
     Eigen::MatrixXd& weights =
         panel_weights.emplace_back(Eigen::MatrixXd::Zero(grid_.v_node_count(), kPoints));
@@ -227,7 +233,7 @@ RenewalEquation::VelocityQuadrature RenewalEquation::make_velocity_quadrature(do
 }
 
 void RenewalEquation::integrate_along_trajectory(
-    const UnforcedTrajectory& trajectory, const std::vector<TimeWeight>& weights,
+    const UnforcedTrajectory& trajectory, const std::vector<TimeSinceImpulseWeight>& weights,
     Eigen::Ref<Eigen::MatrixXd> node_weights, Eigen::Ref<Eigen::VectorXd> integrals_of_one) const {
   const auto count =
       static_cast<Eigen::Index>(trajectory.nodes.size() + (trajectory.passed_barrier ? 0 : 1));
@@ -251,7 +257,7 @@ void RenewalEquation::integrate_along_trajectory(
         weight =
             std::exp(-decay_rate * t) / decay_rate * (time_power == 0 ? 1 : t + 1 / decay_rate);
       } else {
-        const TrajectoryNode& node = trajectory.nodes[static_cast<std::size_t>(n)];
+        const TrajectoryQuadratureNode& node = trajectory.nodes[static_cast<std::size_t>(n)];
         weight =
             node.weight * std::exp(-decay_rate * node.time) * (time_power == 0 ? 1 : node.time);
       }
@@ -263,7 +269,7 @@ void RenewalEquation::integrate_along_trajectory(
 }
 
 std::vector<RenewalEquation::MotionIntegralOperator> RenewalEquation::compute_operators(
-    const std::vector<TimeWeight>& weights, const base::Deadline& deadline) const {
+    const std::vector<TimeSinceImpulseWeight>& weights, const base::Deadline& deadline) const {
   const auto weight_count = static_cast<Eigen::Index>(weights.size());
   const Eigen::Index n_v = grid_.v_node_count(), size = grid_.node_count();
   std::vector<MotionIntegralOperator> operators(weights.size());
@@ -283,7 +289,7 @@ std::vector<RenewalEquation::MotionIntegralOperator> RenewalEquation::compute_op
     Eigen::MatrixXd integrals_of_one(velocity_count, weight_count);
     Eigen::MatrixXd node_weights(grid_.y_node_count(), weight_count * n_v);
     Eigen::VectorXd trajectory_integrals_of_one(weight_count);
-    for (Eigen::Index q = 0; q < velocity_count && !deadline.has_passed(); ++q) {
+    for (Eigen::Index q = 0; q < velocity_count && !deadline.has_deadline_passed(); ++q) {
       const double v = rule.velocities[static_cast<std::size_t>(q)];
       integrate_along_trajectory(motion_solver_.compute_trajectory({y, v}, max_duration_), weights,
                                  node_weights, trajectory_integrals_of_one);
@@ -305,12 +311,12 @@ std::vector<RenewalEquation::MotionIntegralOperator> RenewalEquation::compute_op
   };
   base::parallel_for(static_cast<std::size_t>(grid_.y_node_count()), base::kOneThreadPerProcessor,
                      compute_rows);
-  if (deadline.has_passed()) return {};
+  if (deadline.has_deadline_passed()) return {};
   return operators;
 }
 
 RenewalEquation::MotionIntegral RenewalEquation::integrate_from_state(
-    const PhaseState& start, const TimeWeight& weight) const {
+    const PhaseState& start, const TimeSinceImpulseWeight& weight) const {
   // The node weights of the result are in the order of ChebyshevGrid::node_index(), row by row.
   Eigen::MatrixXd along(grid_.y_node_count(), grid_.v_node_count());
   Eigen::VectorXd one(1);

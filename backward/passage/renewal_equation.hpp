@@ -20,7 +20,8 @@ class ChebyshevGrid {
   struct Domain {
     double y_end, barrier, v_max;
 
-    double side() const { return y_end < barrier ? 1 : -1; }  ///< sign of barrier - y
+    /// sign of barrier - y
+    double sign_of_barrier_distance() const { return y_end < barrier ? 1 : -1; }
   };
   ChebyshevGrid(const Domain& domain, int y_node_count, int v_node_count);
 
@@ -28,9 +29,10 @@ class ChebyshevGrid {
   int v_node_count() const { return static_cast<int>(v_interpolation_.size()); }
   /// Returns the number of nodes (y, v) of the tensor product.
   Eigen::Index node_count() const { return y_interpolation_.size() * v_interpolation_.size(); }
-  const Domain& domain() const { return domain_; }
+  const Domain& phase_plane_domain() const { return domain_; }
   double y_node(int i) const {
-    return domain_.barrier - domain_.side() * y_interpolation_.nodes(i) * y_interpolation_.nodes(i);
+    return domain_.barrier - domain_.sign_of_barrier_distance() * y_interpolation_.nodes(i) *
+                                 y_interpolation_.nodes(i);
   }
   double v_node(int j) const { return v_interpolation_.nodes(j); }
   /// Returns the index of the node (y_node(i), v_node(j)) in a vector of the values of a function
@@ -58,14 +60,14 @@ class ChebyshevGrid {
 };
 
 /// Weight function w(t) = t^time_power exp(-decay_rate t) of the time t since the last impulse.
-struct TimeWeight {
+struct TimeSinceImpulseWeight {
   double decay_rate;
   int time_power = 0;
 };
 
 /// Map v(x) from x in [0, 1] to an interval of velocities. The slope v'(x) is 0 at the ends of the
 /// interval at which integrals along trajectories are not smooth.
-struct VelocityMap {
+struct VelocityIntervalMap {
   double begin, length;
   bool is_smooth_at_begin, is_smooth_at_end;
 
@@ -74,9 +76,9 @@ struct VelocityMap {
 };
 
 /// Interval [begin, end] of x with the Gauss points in x, as nodes of the interpolation in x.
-struct VelocityPanel {
+struct VelocityQuadraturePanel {
   static constexpr unsigned kPoints = 10;
-  VelocityMap map;
+  VelocityIntervalMap map;
   double begin, end;
   std::vector<double> nodes, weights;  ///< points and weights of the Gauss rule
 };
@@ -111,15 +113,16 @@ class RenewalEquation {
     Eigen::VectorXd values_of_one;  ///< values of A 1, the function A f for f = 1
   };
   /// Computes the operators of several weights. The result is empty if the deadline passes.
-  std::vector<MotionIntegralOperator> compute_operators(const std::vector<TimeWeight>& weights,
-                                                        const base::Deadline& deadline) const;
+  std::vector<MotionIntegralOperator> compute_operators(
+      const std::vector<TimeSinceImpulseWeight>& weights, const base::Deadline& deadline) const;
 
   /// The linear form f -> int_0^te w(t) f(X_t) dt of the motion from one state.
   struct MotionIntegral {
     Eigen::VectorXd node_weights;  ///< coefficients of the values of f at the nodes of the grid
     double integral_of_one;        ///< value of the linear form for f = 1, int_0^te w(t) dt
   };
-  MotionIntegral integrate_from_state(const PhaseState& start, const TimeWeight& weight) const;
+  MotionIntegral integrate_from_state(const PhaseState& start,
+                                      const TimeSinceImpulseWeight& weight) const;
 
   /// Quadrature rule for the mean over an impulse of a function g of the velocity. For each node
   /// v_j of the grid, E g(v_j + Y) = sum_q weights(j, q) g(velocities[q]).
@@ -131,7 +134,8 @@ class RenewalEquation {
 
   /// Divides an interval of velocities into panels in which integrals along the trajectory from
   /// (y, v) are smooth functions of v.
-  std::vector<VelocityPanel> divide_velocities(double y, double low, double high) const;
+  std::vector<VelocityQuadraturePanel> divide_velocities_into_panels(double y, double low,
+                                                                     double high) const;
 
   /// Computes the linear forms f -> int_0^te w(t) f(X_t) dt of several weights w along a
   /// trajectory. If the trajectory does not pass the barrier, the state remains the last state of
@@ -140,7 +144,7 @@ class RenewalEquation {
   /// of shape (nodes in y, nodes in v) for each weight; the matrices are in consecutive columns
   /// @param[out] integrals_of_one value of each linear form for f = 1
   void integrate_along_trajectory(const UnforcedTrajectory& trajectory,
-                                  const std::vector<TimeWeight>& weights,
+                                  const std::vector<TimeSinceImpulseWeight>& weights,
                                   Eigen::Ref<Eigen::MatrixXd> node_weights,
                                   Eigen::Ref<Eigen::VectorXd> integrals_of_one) const;
 
@@ -151,7 +155,7 @@ class RenewalEquation {
   std::array<double, 2> velocity_range() const;
 
  private:
-  std::vector<double> find_non_smooth_velocities(double y) const;
+  std::vector<double> find_velocities_of_nonsmooth_integrals(double y) const;
 
   problem::Problem problem_;
   ChebyshevGrid grid_;

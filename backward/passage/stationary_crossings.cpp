@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/process/parallel_for.hpp"
-#include "numerics/interpolation.hpp"
+#include "numerics/chebyshev_interpolation.hpp"
 #include "numerics/roots/bracketed_root.hpp"
 
 namespace fpkcheck::backward {
@@ -18,16 +18,17 @@ namespace {
 using RowMajorMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // Interpolation nodes in panels of velocities
-class VelocityNodes {
+class VelocityInterpolationNodes {
  public:
-  explicit VelocityNodes(std::vector<VelocityPanel> panels) : panels_(std::move(panels)) {}
+  explicit VelocityInterpolationNodes(std::vector<VelocityQuadraturePanel> panels)
+      : panels_(std::move(panels)) {}
 
   Eigen::Index size() const {
-    return static_cast<Eigen::Index>(panels_.size() * VelocityPanel::kPoints);
+    return static_cast<Eigen::Index>(panels_.size() * VelocityQuadraturePanel::kPoints);
   }
   std::vector<double> velocities() const {
     std::vector<double> all;
-    for (const VelocityPanel& panel : panels_) {
+    for (const VelocityQuadraturePanel& panel : panels_) {
       for (const double x : panel.nodes) all.push_back(panel.map.velocity(x));
     }
     return all;
@@ -35,8 +36,9 @@ class VelocityNodes {
   // Adds weight g(v), where g is the interpolated function, to a linear form of the values of g at
   // the nodes. Velocities outside the panels are moved to the nearest end of the panels.
   void add_value(double v, double weight, Eigen::Ref<Eigen::RowVectorXd> form) const {
-    const auto above = std::ranges::find_if(
-        panels_, [v](const VelocityPanel& panel) { return v < panel.map.velocity(panel.end); });
+    const auto above = std::ranges::find_if(panels_, [v](const VelocityQuadraturePanel& panel) {
+      return v < panel.map.velocity(panel.end);
+    });
     const auto panel = above == panels_.end() ? above - 1 : above;
     double x = v <= panel->map.velocity(panel->begin) ? panel->begin : panel->end;
     if (v > panel->map.velocity(panel->begin) && v < panel->map.velocity(panel->end)) {
@@ -45,14 +47,14 @@ class VelocityNodes {
     }
     const std::vector<double> lagrange = numerics::lagrange_weights(panel->nodes, x);
     const auto first =
-        static_cast<Eigen::Index>((panel - panels_.begin()) * VelocityPanel::kPoints);
+        static_cast<Eigen::Index>((panel - panels_.begin()) * VelocityQuadraturePanel::kPoints);
     for (std::size_t k = 0; k < lagrange.size(); ++k) {
       form(first + static_cast<Eigen::Index>(k)) += weight * lagrange[k];
     }
   }
 
  private:
-  std::vector<VelocityPanel> panels_;
+  std::vector<VelocityQuadraturePanel> panels_;
 };
 
 }  // namespace
@@ -75,7 +77,7 @@ std::optional<StationaryCrossings> compute_stationary_crossings(const problem::P
 
   // Calls visit(trajectory, side, time) for the parts of a trajectory on one side of the barrier,
   // which begin at the given times. Side 0 is below the barrier.
-  const auto visit_parts = [&](PhaseState state, std::size_t side, TrajectoryContent content,
+  const auto visit_parts = [&](PhaseState state, std::size_t side, TrajectoryNodeSelection content,
                                const auto& visit) {
     double time = 0;
     while (time < max_duration) {
@@ -101,9 +103,9 @@ std::optional<StationaryCrossings> compute_stationary_crossings(const problem::P
       along[k].resize(equations[k].grid().y_node_count(), equations[k].grid().v_node_count());
     }
     Eigen::VectorXd one(1);
-    for (Eigen::Index q = 0; q < velocity_count && !deadline.has_passed(); ++q) {
+    for (Eigen::Index q = 0; q < velocity_count && !deadline.has_deadline_passed(); ++q) {
       visit_parts({grid.y_node(i), rule.velocities[static_cast<std::size_t>(q)]}, side,
-                  TrajectoryContent::quadrature_nodes,
+                  TrajectoryNodeSelection::quadrature_nodes,
                   [&](const UnforcedTrajectory& trajectory, std::size_t k, double time) {
                     equations[k].integrate_along_trajectory(trajectory, {{rate}}, along[k], one);
                     integrals.row(q).segment(first_node[k], along[k].size()) +=
@@ -119,11 +121,11 @@ std::optional<StationaryCrossings> compute_stationary_crossings(const problem::P
   // The panels for a displacement just below the barrier; the trajectories that graze the barrier
   // end at the barrier itself.
   constexpr double kOffset = 1e-9;
-  const auto& domain = lower.domain();
-  const VelocityNodes crossing_nodes(
+  const auto& domain = lower.phase_plane_domain();
+  const VelocityInterpolationNodes crossing_nodes(
       RenewalEquation(problem, lower, rate, panel_refinement)
-          .divide_velocities(domain.barrier - kOffset * (domain.barrier - domain.y_end),
-                             equations[0].velocity_range()[0], 0));
+          .divide_velocities_into_panels(domain.barrier - kOffset * (domain.barrier - domain.y_end),
+                                         equations[0].velocity_range()[0], 0));
   // Linear forms of a trajectory: rates of downcrossings at the nodes, the number of upcrossings,
   // and the time below the barrier. They jump across the trajectories that graze the barrier. As
   // functions of y their means over an impulse are therefore not smooth at the turning points of
@@ -134,7 +136,7 @@ std::optional<StationaryCrossings> compute_stationary_crossings(const problem::P
   Eigen::MatrixXd forms = Eigen::MatrixXd::Zero(size, form_count);
   for (const std::size_t side : {0, 1}) {
     const ChebyshevGrid& grid = equations[side].grid();
-    const ChebyshevGrid samples(grid.domain(), kSamplesPerNode * grid.y_node_count(),
+    const ChebyshevGrid samples(grid.phase_plane_domain(), kSamplesPerNode * grid.y_node_count(),
                                 grid.v_node_count());
     const RenewalEquation equation = make_equation(samples);
     std::vector<Eigen::MatrixXd> forms_at(static_cast<std::size_t>(samples.y_node_count()));
@@ -147,23 +149,24 @@ std::optional<StationaryCrossings> compute_stationary_crossings(const problem::P
       const auto rule = equation.make_velocity_quadrature(y);
       const auto velocity_count = static_cast<Eigen::Index>(rule.velocities.size());
       RowMajorMatrix form_values = RowMajorMatrix::Zero(velocity_count, form_count);
-      for (Eigen::Index q = 0; q < velocity_count && !deadline.has_passed(); ++q) {
-        visit_parts(
-            {y, rule.velocities[static_cast<std::size_t>(q)]}, side, TrajectoryContent::end_only,
-            [&](const UnforcedTrajectory& trajectory, std::size_t k, double time) {
-              const double end = time + trajectory.duration;
-              if (k == 0) {
-                const double until = trajectory.passed_barrier ? std::exp(-rate * end) : 0;
-                form_values(q, crossing_count + 1) += (std::exp(-rate * time) - until) / rate;
-              }
-              if (!trajectory.passed_barrier) return;
-              if (k == 0) {
-                form_values(q, crossing_count) += std::exp(-rate * end);
-              } else {
-                crossing_nodes.add_value(trajectory.end_state.v, std::exp(-rate * end),
-                                         form_values.row(q).head(crossing_count));
-              }
-            });
+      for (Eigen::Index q = 0; q < velocity_count && !deadline.has_deadline_passed(); ++q) {
+        visit_parts({y, rule.velocities[static_cast<std::size_t>(q)]}, side,
+                    TrajectoryNodeSelection::end_only,
+                    [&](const UnforcedTrajectory& trajectory, std::size_t k, double time) {
+                      const double end = time + trajectory.duration;
+                      if (k == 0) {
+                        const double until = trajectory.passed_barrier ? std::exp(-rate * end) : 0;
+                        form_values(q, crossing_count + 1) +=
+                            (std::exp(-rate * time) - until) / rate;
+                      }
+                      if (!trajectory.passed_barrier) return;
+                      if (k == 0) {
+                        form_values(q, crossing_count) += std::exp(-rate * end);
+                      } else {
+                        crossing_nodes.add_value(trajectory.end_state.v, std::exp(-rate * end),
+                                                 form_values.row(q).head(crossing_count));
+                      }
+                    });
       }
       forms_at[l].noalias() = rule.weights * form_values;
     };
@@ -177,7 +180,7 @@ std::optional<StationaryCrossings> compute_stationary_crossings(const problem::P
       }
     }
   }
-  if (deadline.has_passed()) return std::nullopt;
+  if (deadline.has_deadline_passed()) return std::nullopt;
 
   // The law p satisfies p (I - rate A) = 0 and p 1 = 1. With any row w for which w 1 = 1 these are
   // the equations p (I - rate A + 1 w) = w.

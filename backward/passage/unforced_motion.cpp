@@ -98,8 +98,8 @@ UnforcedMotionSolver::taylor_coefficients(const PhaseState& start) const {
 
 // Returns the longest duration of a panel in which states and integrands are smooth functions of
 // time.
-UnforcedMotionSolver::PanelLimit UnforcedMotionSolver::find_panel_limit(const PhaseState& start,
-                                                                        int direction) const {
+UnforcedMotionSolver::PanelLimit UnforcedMotionSolver::find_taylor_panel_limit(
+    const PhaseState& start, int direction) const {
   // A Gauss rule with 8 points has an error of about (w h / 4)^16 for the frequency w.
   constexpr double kMaxPhase = 0.8, kMaxVelocityChange = 1.5, kMaxDisplacement = 0.5,
                    kTiny = 1e-300;
@@ -131,12 +131,11 @@ UnforcedMotionSolver::PanelLimit UnforcedMotionSolver::find_panel_limit(const Ph
   return {std::min(longest, std::max(smooth, kMinFraction * longest)), is_separated};
 }
 
-UnforcedMotionSolver::TaylorPanel UnforcedMotionSolver::compute_next_panel(const PhaseState& start,
-                                                                           double max_duration,
-                                                                           int direction) const {
+UnforcedMotionSolver::TaylorPanel UnforcedMotionSolver::compute_next_taylor_panel(
+    const PhaseState& start, double max_duration, int direction) const {
   TaylorPanel panel;
   panel.y_coefficients = taylor_coefficients(start);
-  const PanelLimit limit = find_panel_limit(start, direction);
+  const PanelLimit limit = find_taylor_panel_limit(start, direction);
   panel.is_smooth_in_square_root = limit.is_smooth_in_square_root;
   // The last two terms of the series of v estimate its truncation error.
   constexpr double kTruncation = 1e-14;
@@ -206,7 +205,8 @@ bool UnforcedMotionSolver::is_at_rest(const PhaseState& state) const {
 // Returns the time in a panel at which the displacement is y, by Newton's method.
 // @param guess approximate time, as a fraction of the duration of the panel
 // @pre y is monotone in the panel and takes the value y
-double UnforcedMotionSolver::find_time_at(const TaylorPanel& panel, double y, double guess) {
+double UnforcedMotionSolver::find_time_at_displacement(const TaylorPanel& panel, double y,
+                                                       double guess) {
   constexpr int kMaxSteps = 8;
   constexpr double kTolerance = 1e-14;
   double time = guess * panel.duration;
@@ -224,9 +224,9 @@ double UnforcedMotionSolver::find_time_at(const TaylorPanel& panel, double y, do
 // Appends the quadrature nodes of a panel that begins at the given time. Near the barrier the
 // integrands are smooth functions of s = sqrt(|barrier - y|), and the nodes are those of a Gauss
 // rule in s.
-void UnforcedMotionSolver::append_quadrature_nodes(const PhaseState& start,
-                                                   const TaylorPanel& panel, double time,
-                                                   std::vector<TrajectoryNode>& nodes) const {
+void UnforcedMotionSolver::append_quadrature_nodes(
+    const PhaseState& start, const TaylorPanel& panel, double time,
+    std::vector<TrajectoryQuadratureNode>& nodes) const {
   const double side = start.y + panel.end_state.y < 2 * barrier_ ? 1 : -1;  // below, above
   const double s0 = std::sqrt(side * (barrier_ - start.y));
   const double s1 = std::sqrt(side * (barrier_ - panel.end_state.y));
@@ -242,14 +242,14 @@ void UnforcedMotionSolver::append_quadrature_nodes(const PhaseState& start,
   for (const auto& [at, weight] : unit_gauss_points()) {
     const double s = s0 + (s1 - s0) * at;
     const double y = barrier_ - side * s * s;
-    const double t = find_time_at(panel, y, at);
+    const double t = find_time_at_displacement(panel, y, at);
     const PhaseState state = panel.state_at(t);
     nodes.push_back({time + t, std::abs(2 * s * (s1 - s0) * weight / state.v), state});
   }
 }
 
 UnforcedTrajectory UnforcedMotionSolver::compute_trajectory(PhaseState start, double max_duration,
-                                                            TrajectoryContent content) const {
+                                                            TrajectoryNodeSelection content) const {
   UnforcedTrajectory trajectory;
   PhaseState state = start;
   double time = 0;
@@ -257,8 +257,8 @@ UnforcedTrajectory UnforcedMotionSolver::compute_trajectory(PhaseState start, do
   const auto rebound = [&] { state.v = -state.v * wall->restitution_at_speed(-state.v); };
   if (wall && state.y <= wall->position && state.v < 0) rebound();
   while (time < max_duration && !is_at_rest(state)) {
-    const TaylorPanel panel = compute_next_panel(state, max_duration - time, 1);
-    if (content == TrajectoryContent::quadrature_nodes) {
+    const TaylorPanel panel = compute_next_taylor_panel(state, max_duration - time, 1);
+    if (content == TrajectoryNodeSelection::quadrature_nodes) {
       append_quadrature_nodes(state, panel, time, trajectory.nodes);
     }
     time += panel.duration;
@@ -277,8 +277,9 @@ UnforcedTrajectory UnforcedMotionSolver::compute_trajectory(PhaseState start, do
 // Traces the trajectory that ends in the state `end` backward in time, and calls visit(state,
 // panel) for each panel, where the panel begins in the state and extends backward in time.
 template <class Visitor>
-void UnforcedMotionSolver::visit_panels_backward(PhaseState end, double max_duration,
-                                                 double max_speed, const Visitor& visit) const {
+void UnforcedMotionSolver::visit_taylor_panels_backward(PhaseState end, double max_duration,
+                                                        double max_speed,
+                                                        const Visitor& visit) const {
   double time = 0;
   const auto& wall = system_.left_wall();
   while (time < max_duration && std::abs(end.v) < max_speed) {
@@ -288,7 +289,7 @@ void UnforcedMotionSolver::visit_panels_backward(PhaseState end, double max_dura
       if (end.v > 0) end.v = -problem::speed_before_impact(*wall, end.v);
       if (std::abs(end.v) >= max_speed) return;
     }
-    const TaylorPanel panel = compute_next_panel(end, max_duration - time, -1);
+    const TaylorPanel panel = compute_next_taylor_panel(end, max_duration - time, -1);
     if (panel.duration == 0) return;
     visit(end, panel);
     time -= panel.duration;
@@ -300,7 +301,7 @@ void UnforcedMotionSolver::visit_panels_backward(PhaseState end, double max_dura
 std::vector<double> UnforcedMotionSolver::find_backward_crossing_velocities(
     PhaseState end, double y, double max_duration, double max_speed) const {
   std::vector<double> velocities;
-  visit_panels_backward(
+  visit_taylor_panels_backward(
       end, max_duration, max_speed, [&](const PhaseState& start, const TaylorPanel& panel) {
         if ((start.y - y) * (panel.end_state.y - y) >= 0) return;
         const double time =
@@ -314,7 +315,7 @@ std::vector<double> UnforcedMotionSolver::find_backward_crossing_velocities(
 double UnforcedMotionSolver::find_largest_backward_speed(PhaseState end, double max_duration,
                                                          double max_speed) const {
   double largest = 0;
-  visit_panels_backward(
+  visit_taylor_panels_backward(
       end, max_duration, max_speed, [&](const PhaseState& start, const TaylorPanel& panel) {
         largest = std::max({largest, std::abs(start.v), std::abs(panel.end_state.v)});
       });

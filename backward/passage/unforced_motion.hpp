@@ -14,7 +14,7 @@ struct PhaseState {
 };
 
 /// Node of a quadrature rule in time along a trajectory.
-struct TrajectoryNode {
+struct TrajectoryQuadratureNode {
   double time;    ///< time since the start of the trajectory
   double weight;  ///< quadrature weight, in units of time
   PhaseState state;
@@ -24,12 +24,12 @@ struct TrajectoryNode {
 enum class BarrierKind { absorbing, permeable };
 
 /// Whether a trajectory contains the nodes of a quadrature rule in time, or its end alone.
-enum class TrajectoryContent { quadrature_nodes, end_only };
+enum class TrajectoryNodeSelection { quadrature_nodes, end_only };
 
 /// Trajectory from an initial state until the passage of the barrier, rest or a time limit. The
 /// integral of g(X_t) over the duration is the sum of weight g(state) over all nodes.
 struct UnforcedTrajectory {
-  std::vector<TrajectoryNode> nodes;
+  std::vector<TrajectoryQuadratureNode> nodes;
   bool passed_barrier = false;  ///< whether the trajectory ends by the passage of the barrier
   PhaseState end_state;
   double duration = 0;
@@ -55,7 +55,7 @@ class UnforcedMotionSolver {
   /// trajectory continues until its next passage.
   UnforcedTrajectory compute_trajectory(
       PhaseState start, double max_duration,
-      TrajectoryContent content = TrajectoryContent::quadrature_nodes) const;
+      TrajectoryNodeSelection content = TrajectoryNodeSelection::quadrature_nodes) const;
 
   /// Traces the trajectory that ends in the state `end` backward in time. Returns the velocities at
   /// which this trajectory crosses the displacement y. The trace stops at an absorbing barrier,
@@ -91,14 +91,15 @@ class UnforcedMotionSolver {
   bool is_at_rest(const PhaseState& state) const;
   std::array<double, kTaylorOrder + 1> taylor_coefficients(const PhaseState& start) const;
   // The direction is 1 forward in time, -1 backward in time.
-  PanelLimit find_panel_limit(const PhaseState& start, int direction) const;
-  TaylorPanel compute_next_panel(const PhaseState& start, double max_duration, int direction) const;
-  static double find_time_at(const TaylorPanel& panel, double y, double guess);
+  PanelLimit find_taylor_panel_limit(const PhaseState& start, int direction) const;
+  TaylorPanel compute_next_taylor_panel(const PhaseState& start, double max_duration,
+                                        int direction) const;
+  static double find_time_at_displacement(const TaylorPanel& panel, double y, double guess);
   void append_quadrature_nodes(const PhaseState& start, const TaylorPanel& panel, double time,
-                               std::vector<TrajectoryNode>& nodes) const;
+                               std::vector<TrajectoryQuadratureNode>& nodes) const;
   template <class Visitor>
-  void visit_panels_backward(PhaseState end, double max_duration, double max_speed,
-                             const Visitor& visit) const;
+  void visit_taylor_panels_backward(PhaseState end, double max_duration, double max_speed,
+                                    const Visitor& visit) const;
 
   problem::System system_;
   double barrier_;

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "backward/control/control_function_fit.hpp"
+#include "backward/control_variates/control_variate_fit.hpp"
 #include "base/input_error.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/motion_scales.hpp"
@@ -18,12 +18,12 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Weight of the jumps at the wall (ControlFitProblem::wall_jump_weight), in units of the frequency
-// of the motion: the weight for four samples per radian of the motion. The corrected moments hardly
-// depend on this weight.
+// Weight of the jumps at the wall (ControlVariateFitProblem::wall_jump_weight), in units of the
+// frequency of the motion: the weight for four samples per radian of the motion. The corrected
+// moments hardly depend on this weight.
 constexpr double kWallWeight = 4;
 
-const ControlCellCounts& select_cell_counts(const problem::ProblemFeatures& features) {
+const ControlVariateCellCounts& select_cell_counts(const problem::ProblemFeatures& features) {
   if (features.wells < 2) return DensityErrorEstimator::kSingleWellCells;
   return features.noise ? DensityErrorEstimator::kMultipleWellCells
                         : DensityErrorEstimator::kMultipleWellCellsWithoutNoise;
@@ -59,7 +59,7 @@ double total_l1_error(const L1ErrorComponents& error) {
 
 }  // namespace
 
-std::optional<transform::ErrorEstimate> DensityErrors::error_estimate() const {
+std::optional<transform::ErrorEstimate> DensityErrorEstimates::error_estimate() const {
   transform::ErrorEstimate result{.y_l1 = kSubBinFactor * total_l1_error(y_l1),
                                   .ydot_l1 = kSubBinFactor * total_l1_error(ydot_l1),
                                   .moments = {}};
@@ -70,7 +70,7 @@ std::optional<transform::ErrorEstimate> DensityErrors::error_estimate() const {
     const auto moment = transform::kMoments[k].moment;
     result.moments.*moment = std::abs(moment_errors.*moment) +
                              unresolved_factor * unresolved_residuals[k] +
-                             max_l1 / 2 * well_residual_contrasts[k];
+                             max_l1 / 2 * residual_differences_between_wells[k];
   }
   return result;
 }
@@ -79,17 +79,19 @@ DensityErrorEstimator::DensityErrorEstimator(const problem::Problem& problem)
     : DensityErrorEstimator(problem, select_cell_counts(problem::problem_features(problem))) {}
 
 DensityErrorEstimator::DensityErrorEstimator(const problem::Problem& problem,
-                                             const ControlCellCounts& cells)
+                                             const ControlVariateCellCounts& cells)
     : weak_residual_integrator_(
-          problem, make_control_splines(problem, cells, ControlCellWidths::narrower_at_walls)),
+          problem,
+          make_control_splines(problem, cells, SplineCellWidthDistribution::narrower_at_walls)),
       goal_functions_(make_goal_functions(weak_residual_integrator_.y_splines(),
                                           weak_residual_integrator_.v_splines(), problem.frame)) {
   assert(residuals_unsupported_reason(problem).empty());
-  const ControlFitProblem fit = make_control_fit_problem(
+  const ControlVariateFitProblem fit = make_control_fit_problem(
       problem, weak_residual_integrator_.y_splines(), weak_residual_integrator_.v_splines(),
       kWallWeight * problem::motion_scales(problem).frequency);
-  backward_solutions_ = fit_control_functions(fit, goal_functions_.functions);
-  unresolved_residual_ = UnresolvedResidual(fit, goal_functions_.functions, backward_solutions_);
+  backward_solutions_ = fit_control_variate_functions(fit, goal_functions_.functions);
+  unresolved_residual_ =
+      BackwardEquationResiduals(fit, goal_functions_.functions, backward_solutions_);
 }
 
 Eigen::MatrixXd DensityErrorEstimator::backward_solution_coefficients(
@@ -98,20 +100,23 @@ Eigen::MatrixXd DensityErrorEstimator::backward_solution_coefficients(
       .reshaped<Eigen::RowMajor>(y_splines().size(), v_splines().size());
 }
 
-DensityErrors DensityErrorEstimator::estimate_errors(const transform::Density& density) const {
-  const DensityIntegrals integrals = weak_residual_integrator_.integrate(density);
-  DensityErrors result{.mass = integrals.mass,
-                       .corrected_moments = integrals.moments,
-                       .moment_errors = {},
-                       .moment_error_contributions = {},
-                       .unresolved_residuals = {},
-                       .well_residual_contrasts = {},
-                       .y_l1 = {},
-                       .ydot_l1 = {}};
+DensityErrorEstimates DensityErrorEstimator::estimate_errors(
+    const transform::Density& density) const {
+  const DensityIntegrals integrals = weak_residual_integrator_.integrate_density(density);
+  DensityErrorEstimates result{.mass = integrals.mass,
+                               .corrected_moments = integrals.moments,
+                               .moment_errors = {},
+                               .moment_error_contributions = {},
+                               .unresolved_residuals = {},
+                               .residual_differences_between_wells = {},
+                               .y_l1 = {},
+                               .ydot_l1 = {}};
   const Eigen::VectorXd errors = -(backward_solutions_.spline_coefficients.transpose() *
                                    integrals.weak_residuals.reshaped<Eigen::RowMajor>().eval());
-  const Eigen::VectorXd unresolved = unresolved_residual_.mean_absolute_residuals(integrals);
-  const Eigen::VectorXd& well_residual_contrasts = unresolved_residual_.well_residual_contrasts();
+  const Eigen::VectorXd unresolved =
+      unresolved_residual_.mean_absolute_backward_residuals(integrals);
+  const Eigen::VectorXd& residual_differences_between_wells =
+      unresolved_residual_.residual_differences_between_wells();
   for (std::size_t k = 0; k < kMomentCount; ++k) {
     const Eigen::MatrixXd h = backward_solution_coefficients(static_cast<Eigen::Index>(k));
     const double mean = h.cwiseProduct(integrals.spline_means).sum();
@@ -121,12 +126,13 @@ DensityErrors DensityErrorEstimator::estimate_errors(const transform::Density& d
     result.moment_errors.*moment = result.moment_error_contributions[k].sum();
     result.corrected_moments.*moment -= result.moment_errors.*moment;
     result.unresolved_residuals[k] = unresolved(static_cast<Eigen::Index>(k));
-    result.well_residual_contrasts[k] = well_residual_contrasts(static_cast<Eigen::Index>(k));
+    result.residual_differences_between_wells[k] =
+        residual_differences_between_wells(static_cast<Eigen::Index>(k));
   }
   const auto components_of_bins = [&](int first, int count) {
     return L1ErrorComponents{errors.segment(first, count).cwiseAbs().sum(),
                              unresolved.segment(first, count).sum(),
-                             well_residual_contrasts.segment(first, count).sum() / 2};
+                             residual_differences_between_wells.segment(first, count).sum() / 2};
   };
   result.y_l1 = components_of_bins(goal_functions_.moment_count, goal_functions_.y_bin_count);
   result.ydot_l1 = components_of_bins(goal_functions_.moment_count + goal_functions_.y_bin_count,
@@ -145,8 +151,9 @@ Eigen::MatrixXd DensityErrorEstimator::distribute_contributions_over_cells(
     }
     return inverse;
   };
-  const Eigen::MatrixXd in_cells = spline_fractions_in_cells(y_splines(), y_edges) * contributions *
-                                   spline_fractions_in_cells(v_splines(), v_edges).transpose();
+  const Eigen::MatrixXd in_cells =
+      spline_integral_fractions_in_cells(y_splines(), y_edges) * contributions *
+      spline_integral_fractions_in_cells(v_splines(), v_edges).transpose();
   return inverse_widths(y_edges).asDiagonal() * in_cells * inverse_widths(v_edges).asDiagonal();
 }
 
@@ -164,8 +171,8 @@ std::string residuals_unsupported_reason(const problem::Problem& problem) {
   return {};
 }
 
-Eigen::MatrixXd spline_fractions_in_cells(const numerics::QuinticBSplines& splines,
-                                          std::span<const double> edges) {
+Eigen::MatrixXd spline_integral_fractions_in_cells(const numerics::QuinticBSplines& splines,
+                                                   std::span<const double> edges) {
   if (edges.size() < 2 ||
       std::ranges::adjacent_find(edges, std::greater_equal<>()) != edges.end()) {
     throw InputError("the cell edges of a map do not increase");

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "backward/control/control_function_fit.hpp"
+#include "backward/control_variates/control_variate_fit.hpp"
 #include "backward/residual/goal_functions.hpp"
 #include "backward/residual/unresolved_residual.hpp"
 #include "backward/residual/weak_residuals.hpp"
@@ -23,18 +23,19 @@ inline constexpr std::size_t kMomentCount = std::size(transform::kMoments);
 struct L1ErrorComponents {
   /// Sum over the smooth bins of the absolute errors, computed by dual-weighted residuals
   double dual_weighted_error = 0;
-  /// Sum over the smooth bins of UnresolvedResidual::mean_absolute_residuals(), the residuals of
-  /// the approximate backward solutions h
+  /// Sum over the smooth bins of BackwardEquationResiduals::mean_absolute_backward_residuals(), the
+  /// residuals of the approximate backward solutions h
   double unresolved_residual = 0;
-  /// Half the sum over the smooth bins of UnresolvedResidual::well_residual_contrasts(). The value
-  /// is 0 if the weak residuals determine the probabilities of the wells, and 1 if the weak
-  /// residuals do not depend on the probabilities.
+  /// Half the sum over the smooth bins of
+  /// BackwardEquationResiduals::residual_differences_between_wells(). The value is 0 if the weak
+  /// residuals determine the probabilities of the wells, and 1 if the weak residuals do not depend
+  /// on the probabilities.
   double well_contrast = 0;
 };
 
 /// Errors of a density p, computed from the density and the problem alone. The arrays have the
 /// order of transform::kMoments.
-struct DensityErrors {
+struct DensityErrorEstimates {
   double mass;  ///< mass of the density; all other members are values per unit mass
   transform::Moments corrected_moments;  ///< estimates E_p[f] - moment_errors of the exact E[f]
   transform::Moments moment_errors;      ///< estimated errors E_p[f] - E[f] of the moments
@@ -42,10 +43,10 @@ struct DensityErrors {
   /// functions of v). The sum of the contributions is the error of the moment.
   std::array<Eigen::MatrixXd, kMomentCount> moment_error_contributions;
 
-  /// UnresolvedResidual::mean_absolute_residuals() of each moment
+  /// BackwardEquationResiduals::mean_absolute_backward_residuals() of each moment
   std::array<double, kMomentCount> unresolved_residuals;
-  /// UnresolvedResidual::well_residual_contrasts() of each moment
-  std::array<double, kMomentCount> well_residual_contrasts;
+  /// BackwardEquationResiduals::residual_differences_between_wells() of each moment
+  std::array<double, kMomentCount> residual_differences_between_wells;
   /// Components of the L1 errors of p(y) and of p(y'), over the bins of make_goal_functions()
   L1ErrorComponents y_l1, ydot_l1;
 
@@ -71,10 +72,10 @@ struct DensityErrors {
 ///
 /// with the weak residuals rho_ij of p (DensityIntegrals). The error of p is computed without any
 /// other density. The fitted h satisfies the backward equation only approximately
-/// (fit_control_functions()). The error of the estimate is a product of two small quantities, the
-/// residual of h and the error of p. A constant added to h changes the contributions h_ij rho_ij
-/// but not the sum of all contributions. The normalisation E_p[h] = 0 makes the contributions
-/// comparable.
+/// (fit_control_variate_functions()). The error of the estimate is a product of two small
+/// quantities, the residual of h and the error of p. A constant added to h changes the
+/// contributions h_ij rho_ij but not the sum of all contributions. The normalisation E_p[h] = 0
+/// makes the contributions comparable.
 ///
 /// The reference of the error is the full problem with impulses: the error of a solution of the
 /// white-noise equation includes the model error. Moments are in physical coordinates
@@ -82,26 +83,27 @@ struct DensityErrors {
 class DensityErrorEstimator {
  public:
   /// Numbers of spline cells for a potential with one well.
-  static constexpr ControlCellCounts kSingleWellCells{.y_cells = 40, .v_cells = 88};
+  static constexpr ControlVariateCellCounts kSingleWellCells{.y_cells = 40, .v_cells = 88};
   /// Numbers of spline cells for a potential with several wells under Gaussian noise. A well is
   /// narrower than the range of y, and with kSingleWellCells the bins resolve less than half of an
   /// error within a well. The fit takes as long as the fit on kSingleWellCells (docs/residuals.md).
-  static constexpr ControlCellCounts kMultipleWellCells{.y_cells = 80, .v_cells = 64};
+  static constexpr ControlVariateCellCounts kMultipleWellCells{.y_cells = 80, .v_cells = 64};
   /// Numbers of spline cells for a potential with several wells without Gaussian noise. Without
   /// noise solutions of the backward equation have a sharp bend along the orbits that end on top of
   /// a barrier.
-  static constexpr ControlCellCounts kMultipleWellCellsWithoutNoise{.y_cells = 56, .v_cells = 112};
+  static constexpr ControlVariateCellCounts kMultipleWellCellsWithoutNoise{.y_cells = 56,
+                                                                           .v_cells = 112};
 
   /// Fits h for all goal functions, which takes most of the computing time of an error estimate.
   /// @param problem problem in wall coordinates, like the densities of estimate_errors()
   /// @pre residuals_unsupported_reason(problem) is empty
-  /// @throws FitFailure (backward/generator/normal_equations.hpp)
+  /// @throws LeastSquaresFitFailure (backward/generator/normal_equations.hpp)
   explicit DensityErrorEstimator(const problem::Problem& problem);
-  DensityErrorEstimator(const problem::Problem& problem, const ControlCellCounts& cells);
+  DensityErrorEstimator(const problem::Problem& problem, const ControlVariateCellCounts& cells);
 
   /// Computes the errors of the moments and of the marginals of a density.
   /// @throws InputError when the mass is not positive, or the cells or the range are invalid
-  DensityErrors estimate_errors(const transform::Density& density) const;
+  DensityErrorEstimates estimate_errors(const transform::Density& density) const;
 
   /// Distributes the contributions to an error over rectangular cells. The value of a cell is
   ///
@@ -126,8 +128,8 @@ class DensityErrorEstimator {
 
   WeakResidualIntegrator weak_residual_integrator_;
   GoalFunctions goal_functions_;
-  ControlFunctions backward_solutions_;
-  UnresolvedResidual unresolved_residual_;
+  ControlVariateFunctions backward_solutions_;
+  BackwardEquationResiduals unresolved_residual_;
 };
 
 /// Returns the reason why DensityErrorEstimator does not support a problem, in one phrase; empty if
@@ -137,7 +139,7 @@ std::string residuals_unsupported_reason(const problem::Problem& problem);
 /// Returns the fraction of the integral of each spline that lies in each cell, shape (cells,
 /// functions). Each column sums to 1 if the cells cover the splines.
 /// @throws InputError when the edges do not increase
-Eigen::MatrixXd spline_fractions_in_cells(const numerics::QuinticBSplines& splines,
-                                          std::span<const double> edges);
+Eigen::MatrixXd spline_integral_fractions_in_cells(const numerics::QuinticBSplines& splines,
+                                                   std::span<const double> edges);
 
 }  // namespace fpkcheck::backward

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "backward/control/control_functions.hpp"
+#include "backward/control_variates/control_variate_functions.hpp"
 #include "numerics/splines/quintic_bsplines.hpp"
 #include "problem/walls.hpp"
 

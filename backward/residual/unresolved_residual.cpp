@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "backward/control/generator_factors.hpp"
+#include "backward/control_variates/generator_factors.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/problem_features.hpp"
 #include "problem/undamped_orbits.hpp"
@@ -93,9 +93,9 @@ Eigen::MatrixXd well_mean_matrix(const problem::Problem& problem,
 
 }  // namespace
 
-UnresolvedResidual::UnresolvedResidual(const ControlFitProblem& fit_problem,
-                                       std::span<const SeparableFunction> integrands,
-                                       const ControlFunctions& solutions) {
+BackwardEquationResiduals::BackwardEquationResiduals(const ControlVariateFitProblem& fit_problem,
+                                                     std::span<const SeparableFunction> integrands,
+                                                     const ControlVariateFunctions& solutions) {
   const problem::Problem& problem = fit_problem.problem;
   const numerics::QuinticBSplines &ys = fit_problem.y_splines, &vs = fit_problem.v_splines;
   const numerics::QuadratureRule y_rule = numerics::composite_gauss_rule<kGaussPointsPerCell>(
@@ -106,7 +106,7 @@ UnresolvedResidual::UnresolvedResidual(const ControlFitProblem& fit_problem,
   const GeneratorFactors y_factor = displacement_generator_factors(problem.system, ys, y);
   const GeneratorFactors v_factor = velocity_generator_factors(
       problem, vs, v, spline_means_after_impulse(vs, problem.impulses, v));
-  const auto walls = impact_walls(problem.system);
+  const auto walls = walls_with_restitution(problem.system);
   std::vector<Eigen::MatrixXd> jumps;
 
   const Eigen::Index ny = std::ssize(y) / kGaussPointsPerCell,
@@ -117,7 +117,7 @@ UnresolvedResidual::UnresolvedResidual(const ControlFitProblem& fit_problem,
   const Eigen::MatrixXd well_means = well_mean_matrix(problem, y_rule, fit_problem.y_weight);
   const Eigen::VectorXd v_mean_weights =
       normalised_quadrature_weights(v_rule, fit_problem.v_weight);
-  for (const ImpactWall& wall : walls) {
+  for (const WallWithRestitution& wall : walls) {
     const auto u =
         numerics::composite_gauss_rule<kGaussPointsPerCell>(impact_speed_breaks(vs, wall)).points;
     jumps.push_back(spline_jumps_at_impacts(vs, wall, u));
@@ -157,7 +157,8 @@ UnresolvedResidual::UnresolvedResidual(const ControlFitProblem& fit_problem,
   }
 }
 
-Eigen::VectorXd UnresolvedResidual::mean_absolute_residuals(const DensityIntegrals& density) const {
+Eigen::VectorXd BackwardEquationResiduals::mean_absolute_backward_residuals(
+    const DensityIntegrals& density) const {
   const Eigen::VectorXd masses = density.cell_probabilities.reshaped<Eigen::RowMajor>().cwiseAbs();
   Eigen::VectorXd sums = cell_mean_residuals_.transpose() * masses;
   for (std::size_t n = 0; n < wall_mean_jumps_.size(); ++n) {

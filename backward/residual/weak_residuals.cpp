@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
-#include "backward/control/generator_factors.hpp"
+#include "backward/control_variates/generator_factors.hpp"
 #include "base/input_error.hpp"
-#include "numerics/interpolation.hpp"
+#include "numerics/chebyshev_interpolation.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 
 namespace fpkcheck::backward {
@@ -52,10 +52,10 @@ std::vector<double> breaks_after_impulse(const numerics::QuinticBSplines& v,
   return breaks;
 }
 
-std::vector<ImpactSpeedBreaks> find_impact_breaks(const std::vector<ImpactWall>& walls,
-                                                  const numerics::QuinticBSplines& v) {
-  std::vector<ImpactSpeedBreaks> all;
-  for (const ImpactWall& wall : walls) {
+std::vector<ImpactSpeedBreakpoints> find_impact_breaks(
+    const std::vector<WallWithRestitution>& walls, const numerics::QuinticBSplines& v) {
+  std::vector<ImpactSpeedBreakpoints> all;
+  for (const WallWithRestitution& wall : walls) {
     all.push_back({wall.position, wall.rebound_sign, impact_speed_breaks(v, wall)});
   }
   return all;
@@ -88,11 +88,11 @@ Eigen::MatrixXd cell_indicators(std::span<const double> points, const std::vecto
 }  // namespace
 
 WeakResidualIntegrator::WeakResidualIntegrator(const problem::Problem& problem,
-                                               ControlSplines splines)
+                                               ControlVariateSplines splines)
     : problem_(problem),
       y_splines_(std::move(splines.y_splines)),
       v_splines_(std::move(splines.v_splines)),
-      walls_(impact_walls(problem.system)),
+      walls_(walls_with_restitution(problem.system)),
       impact_breaks_(find_impact_breaks(walls_, v_splines_)),
       v_breaks_(breaks_after_impulse(v_splines_, problem.impulses)),
       gauss_velocities_(gauss_nodes(v_breaks_)),
@@ -125,16 +125,18 @@ Eigen::MatrixXd WeakResidualIntegrator::interpolate_means_after_impulse(
 /// Returns the integrals over the impacts at a wall, int u p(0, -u) [B_j(r u) - B_j(-u)] du,
 /// mirrored at a right wall.
 Eigen::RowVectorXd WeakResidualIntegrator::integrate_impact_terms(
-    const ImpactWall& wall, const SampledWallDensity& wall_density) const {
+    const WallWithRestitution& wall, const SampledWallDensity& wall_density) const {
   const auto& speeds = wall_density.speed_quadrature.points;
   const Eigen::Map<const Eigen::VectorXd> u(speeds.data(), std::ssize(speeds));
   const Eigen::MatrixXd jumps = spline_jumps_at_impacts(v_splines_, wall, speeds);
-  return (wall_density.speed_quadrature.integrals_with_density(u.asDiagonal() * jumps) *
+  return (wall_density.speed_quadrature.integrals_of_functions_times_density(u.asDiagonal() *
+                                                                             jumps) *
           wall_density.samples)
       .transpose();
 }
 
-DensityIntegrals WeakResidualIntegrator::integrate(const transform::Density& density) const {
+DensityIntegrals WeakResidualIntegrator::integrate_density(
+    const transform::Density& density) const {
   const SampledDensity p = sample_density(
       density,
       {.y_breaks = y_splines_.breaks(), .v_breaks = v_breaks_, .impact_breaks = impact_breaks_});
@@ -142,11 +144,12 @@ DensityIntegrals WeakResidualIntegrator::integrate(const transform::Density& den
   // Moments E_p[y^m y'^n] in physical coordinates, before the division by the mass.
   const problem::WallFrame& frame = problem_.frame;
   const Eigen::MatrixXd along_y =
-      p.y_quadrature.integrals_with_density(
+      p.y_quadrature.integrals_of_functions_times_density(
           coordinate_powers(p.y_quadrature.points, [&](double x) { return frame.physical_y(x); })) *
       p.samples;
-  const Eigen::MatrixXd along_v = p.v_quadrature.integrals_with_density(coordinate_powers(
-      p.v_quadrature.points, [&](double x) { return frame.physical_velocity(x); }));
+  const Eigen::MatrixXd along_v =
+      p.v_quadrature.integrals_of_functions_times_density(coordinate_powers(
+          p.v_quadrature.points, [&](double x) { return frame.physical_velocity(x); }));
   const Eigen::MatrixXd powers = along_y * along_v.transpose();
   const double mass = powers(0, 0);
   if (!(mass > 0) || !std::isfinite(mass)) {
@@ -162,12 +165,12 @@ DensityIntegrals WeakResidualIntegrator::integrate(const transform::Density& den
   // All factors in y have a small support. The means K B_j, which are part of a factor in v, have a
   // large support.
   const auto integrated_over_y = [&](const Eigen::MatrixXd& functions) -> Eigen::MatrixXd {
-    return p.y_quadrature.sparse_integrals_with_density(functions) * p.samples;
+    return p.y_quadrature.sparse_integrals_times_density(functions) * p.samples;
   };
   Eigen::MatrixXd residuals = Eigen::MatrixXd::Zero(y_splines_.size(), v_splines_.size());
   for (std::size_t term = 0; term < y.size(); ++term) {
-    residuals.noalias() +=
-        integrated_over_y(y[term]) * p.v_quadrature.integrals_with_density(v[term]).transpose();
+    residuals.noalias() += integrated_over_y(y[term]) *
+                           p.v_quadrature.integrals_of_functions_times_density(v[term]).transpose();
   }
   std::vector<Eigen::VectorXd> impact_fluxes;
   for (std::size_t n = 0; n < walls_.size(); ++n) {
@@ -175,23 +178,24 @@ DensityIntegrals WeakResidualIntegrator::integrate(const transform::Density& den
     // other splines of y are 0 at the wall.
     residuals.row(walls_[n].rebound_sign > 0 ? 0 : y_splines_.size() - 1) +=
         integrate_impact_terms(walls_[n], p.wall_densities[n]);
-    const AxisQuadrature& speeds = p.wall_densities[n].speed_quadrature;
+    const DensityAxisQuadrature& speeds = p.wall_densities[n].speed_quadrature;
     const Eigen::Map<const Eigen::VectorXd> u(speeds.points.data(), std::ssize(speeds.points));
     const Eigen::MatrixXd flux =
         u.asDiagonal() * cell_indicators(speeds.points, impact_breaks_[n].breaks);
-    impact_fluxes.push_back(speeds.integrals_with_density(flux) * p.wall_densities[n].samples /
-                            mass);
+    impact_fluxes.push_back(speeds.integrals_of_functions_times_density(flux) *
+                            p.wall_densities[n].samples / mass);
   }
   const Eigen::MatrixXd cells =
       integrated_over_y(cell_indicators(p.y_quadrature.points, y_splines_.breaks())) *
       p.v_quadrature
-          .sparse_integrals_with_density(
+          .sparse_integrals_times_density(
               cell_indicators(p.v_quadrature.points, v_splines_.breaks()))
           .transpose();
   const Eigen::MatrixXd means =
       integrated_over_y(evaluate_splines(y_splines_, p.y_quadrature.points).values) *
       p.v_quadrature
-          .sparse_integrals_with_density(evaluate_splines(v_splines_, p.v_quadrature.points).values)
+          .sparse_integrals_times_density(
+              evaluate_splines(v_splines_, p.v_quadrature.points).values)
           .transpose();
   return {.mass = mass,
           .moments = {.y1 = moment(1, 0),

@@ -3,12 +3,12 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "backward/control/control_function_fit.hpp"
-#include "backward/control/generator_factors.hpp"
-#include "backward/residual/sampled_density.hpp"
+#include "backward/control_variates/control_variate_fit.hpp"
+#include "backward/control_variates/generator_factors.hpp"
+#include "backward/residual/density_reconstruction.hpp"
 #include "numerics/splines/quintic_bsplines.hpp"
 #include "problem/problem.hpp"
-#include "transform/density.hpp"
+#include "transform/joint_density.hpp"
 
 namespace fpkcheck::backward {
 
@@ -22,7 +22,7 @@ struct DensityIntegrals {
   /// Probabilities of the cells between the breaks of the splines, shape (cells of y, cells of v)
   Eigen::MatrixXd cell_probabilities;
   /// Impact fluxes int u p(0, -u) du over the intervals between consecutive impact_speed_breaks(),
-  /// one vector for each of impact_walls()
+  /// one vector for each of walls_with_restitution()
   std::vector<Eigen::VectorXd> impact_fluxes;
 };
 
@@ -41,24 +41,24 @@ class WeakResidualIntegrator {
   /// @param problem problem in wall coordinates; the moments are in physical coordinates
   /// @param splines splines of y from wall to wall, or over the range of the motion; splines of v
   /// with 0 among the breaks
-  WeakResidualIntegrator(const problem::Problem& problem, ControlSplines splines);
+  WeakResidualIntegrator(const problem::Problem& problem, ControlVariateSplines splines);
 
   /// Computes the integrals of a density in wall coordinates.
   /// @throws InputError as sample_density(), and when the mass is not positive
-  DensityIntegrals integrate(const transform::Density& density) const;
+  DensityIntegrals integrate_density(const transform::Density& density) const;
 
   const numerics::QuinticBSplines& y_splines() const { return y_splines_; }
   const numerics::QuinticBSplines& v_splines() const { return v_splines_; }
 
  private:
   Eigen::MatrixXd interpolate_means_after_impulse(std::span<const double> v) const;
-  Eigen::RowVectorXd integrate_impact_terms(const ImpactWall& wall,
+  Eigen::RowVectorXd integrate_impact_terms(const WallWithRestitution& wall,
                                             const SampledWallDensity& wall_density) const;
 
   problem::Problem problem_;
   numerics::QuinticBSplines y_splines_, v_splines_;
-  std::vector<ImpactWall> walls_;
-  std::vector<ImpactSpeedBreaks> impact_breaks_;
+  std::vector<WallWithRestitution> walls_;
+  std::vector<ImpactSpeedBreakpoints> impact_breaks_;
   std::vector<double> v_breaks_;  // breaks of the splines B_j and of their means K B_j
   // eight Gauss points between consecutive elements of v_breaks_, in increasing order
   std::vector<double> gauss_velocities_;

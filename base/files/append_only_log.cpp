@@ -10,12 +10,13 @@
 #include <system_error>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 
 namespace fpkcheck::base {
 
 void AppendOnlyLog::throw_error(const char* what) const {
-  throw std::runtime_error(fmt::format("{} cannot be {}: {}", base::sanitise(file_.string()), what,
+  throw std::runtime_error(fmt::format("{} cannot be {}: {}",
+                                       base::to_printable_text(file_.string()), what,
                                        std::generic_category().message(errno)));
 }
 
@@ -33,9 +34,9 @@ AppendOnlyLog::AppendOnlyLog(const std::filesystem::path& file)
   throw InputError(
       regular ? fmt::format("{} is locked: another process writes it; wait, or use another "
                             "directory",
-                            base::sanitise(file_.string()))
+                            base::to_printable_text(file_.string()))
               : fmt::format("{} is not a regular file; remove it, or use another directory",
-                            base::sanitise(file_.string())));
+                            base::to_printable_text(file_.string())));
 }
 
 std::vector<std::string> AppendOnlyLog::read_lines() {

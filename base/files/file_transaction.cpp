@@ -15,7 +15,7 @@
 #include "base/files/atomic_file.hpp"
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 
 namespace fpkcheck::base {
 namespace {
@@ -98,7 +98,7 @@ FileTransaction::~FileTransaction() {
   for (const auto& file : pending_) fs::remove(file.temporary, ignored);
 }
 
-void FileTransaction::require_same_directory(const fs::path& target) const {
+void FileTransaction::require_target_in_same_directory(const fs::path& target) const {
   const fs::path directory = target.parent_path();
   if ((!pending_.empty() && pending_.front().target.parent_path() != directory) ||
       (!removals_.empty() && removals_.front().parent_path() != directory)) {
@@ -107,7 +107,7 @@ void FileTransaction::require_same_directory(const fs::path& target) const {
 }
 
 void FileTransaction::add(const fs::path& target, const FileWriter& produce) {
-  require_same_directory(target);
+  require_target_in_same_directory(target);
   const fs::path temporary = partial_file_path(target);
   // An earlier process with the same process id may have left a partial file with the same name.
   std::error_code ignored;
@@ -129,7 +129,7 @@ void FileTransaction::add(const fs::path& target, std::string_view bytes) {
 }
 
 void FileTransaction::remove(const fs::path& target) {
-  require_same_directory(target);
+  require_target_in_same_directory(target);
   removals_.push_back(target);
 }
 
@@ -146,10 +146,10 @@ void FileTransaction::commit() {
       throw cannot_write(target, std::make_error_code(std::errc::is_a_directory));
     }
   }
-  if (!pending_.empty()) replace_targets(pending_.front().target.parent_path());
+  if (!pending_.empty()) replace_target_files(pending_.front().target.parent_path());
 }
 
-void FileTransaction::replace_targets(const fs::path& directory) {
+void FileTransaction::replace_target_files(const fs::path& directory) {
   const fs::path first = pending_.front().target;
   try {
     for (const auto& file : pending_) flush_to_disk(file.temporary);
@@ -168,7 +168,7 @@ void FileTransaction::replace_targets(const fs::path& directory) {
       // process applies the journal.
       pending_.clear();
       removals_.clear();
-      journal.apply(directory);
+      journal.apply_file_changes(directory);
     }
   } catch (const std::system_error& error) {
     throw cannot_write(first, error.code());
@@ -211,7 +211,7 @@ void FileChangeJournal::write_to_directory(const fs::path& directory) const {
 }
 
 // If the source file of a rename is missing, an earlier process has already renamed the file.
-void FileChangeJournal::apply(const fs::path& directory) const {
+void FileChangeJournal::apply_file_changes(const fs::path& directory) const {
   for (const auto& [from, to] : renames) {
     std::error_code error;
     fs::rename(directory / from, directory / to, error);
@@ -238,11 +238,11 @@ void recover_interrupted_commit(const fs::path& directory) {
       throw InputError(fmt::format(
           "{} is not a journal of this user, or damaged: an interrupted run may have left it; "
           "remove it and run again",
-          sanitise(file.string())));
+          to_printable_text(file.string())));
     }
     if (!journal->writer.may_be_running()) {
       try {
-        journal->apply(directory);
+        journal->apply_file_changes(directory);
       } catch (const std::system_error& error) {
         throw InputError(fmt::format(
             "the files in {} are incomplete: an interrupted run could not be completed ({}); make "
@@ -254,8 +254,8 @@ void recover_interrupted_commit(const fs::path& directory) {
     if (attempt == kMaxAttempts) {
       throw InputError(fmt::format(
           "process {} on {} is writing files into {}, or was interrupted there; wait, or remove {}",
-          journal->writer.pid, sanitise(journal->writer.host), in_quotes(directory.string()),
-          sanitise(file.string())));
+          journal->writer.pid, to_printable_text(journal->writer.host),
+          in_quotes(directory.string()), to_printable_text(file.string())));
     }
     std::this_thread::sleep_for(kRetryInterval);
   }

@@ -44,8 +44,8 @@ class FileTransaction {
   struct Pending {
     std::filesystem::path temporary, target;
   };
-  void require_same_directory(const std::filesystem::path& target) const;
-  void replace_targets(const std::filesystem::path& directory);
+  void require_target_in_same_directory(const std::filesystem::path& target) const;
+  void replace_target_files(const std::filesystem::path& directory);
 
   std::vector<Pending> pending_;
   std::vector<std::filesystem::path> removals_;
@@ -86,7 +86,7 @@ struct FileChangeJournal {
   /// Performs the remaining renames and removals of the journal, then removes the journal.
   /// @throws std::system_error if a rename or removal fails; the journal then remains in the
   /// directory
-  void apply(const std::filesystem::path& directory) const;
+  void apply_file_changes(const std::filesystem::path& directory) const;
 };
 
 /// If the directory contains a journal, completes the change of files that a killed process left

@@ -11,7 +11,7 @@
 
 #include "base/files/atomic_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 
 namespace fpkcheck::base {
 namespace {
@@ -42,7 +42,7 @@ std::optional<std::string> read_input_file(const std::filesystem::path& file,
     if (bytes.size() > max_bytes) {
       throw InputError(
           fmt::format("{} has more than {} bytes: too large for an input file; name another file",
-                      sanitise(file.string()), max_bytes));
+                      to_printable_text(file.string()), max_bytes));
     }
     if (count == 0) return bytes;
     if (count < 0 && errno != EINTR) return std::nullopt;

@@ -23,7 +23,7 @@ struct IniSetting {
   std::string where;  ///< file and line of the setting, for messages: "case mine.ini:7"
 
   /// Returns section and key joined by a dot, such as "system.damping".
-  std::string section_and_key() const { return section.empty() ? key : section + '.' + key; }
+  std::string ini_section_and_key() const { return section.empty() ? key : section + '.' + key; }
 };
 
 /// Reads all settings of an ini file, in the order of their lines. Text after '#' or ';' is a

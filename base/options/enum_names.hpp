@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 
 namespace fpkcheck::base {
 

@@ -12,17 +12,17 @@ std::atomic<int> stopping_signal = 0;
 // Signal handlers may use lock-free atomics only.
 static_assert(std::atomic<int>::is_always_lock_free);
 
-// The object ExitBlockerState is never destroyed, since a thread may still wait for its condition
-// variable while the process exits.
-struct ExitBlockerState {
+// The object ProcessExitBlockerState is never destroyed, since a thread may still wait for its
+// condition variable while the process exits.
+struct ProcessExitBlockerState {
   std::mutex mutex;
   std::condition_variable changed;
   int guard_count = 0;
   std::thread::id owner{};  // the default thread id denotes no thread
 };
 
-ExitBlockerState& guard_state() {
-  static ExitBlockerState& state = *new ExitBlockerState;
+ProcessExitBlockerState& guard_state() {
+  static ProcessExitBlockerState& state = *new ProcessExitBlockerState;
   return state;
 }
 
@@ -33,7 +33,7 @@ int requested_stop_signal() { return stopping_signal.load(std::memory_order_rela
 void request_stop(int signal) { stopping_signal.store(signal, std::memory_order_relaxed); }
 
 ProcessExitBlocker::ProcessExitBlocker() {
-  ExitBlockerState& d = guard_state();
+  ProcessExitBlockerState& d = guard_state();
   std::unique_lock lock(d.mutex);
   d.changed.wait(
       lock, [&] { return d.owner == std::thread::id() || d.owner == std::this_thread::get_id(); });
@@ -41,14 +41,14 @@ ProcessExitBlocker::ProcessExitBlocker() {
 }
 
 ProcessExitBlocker::~ProcessExitBlocker() {
-  ExitBlockerState& d = guard_state();
+  ProcessExitBlockerState& d = guard_state();
   const std::lock_guard lock(d.mutex);
   --d.guard_count;
   d.changed.notify_all();
 }
 
-void wait_and_block_other_writers() {
-  ExitBlockerState& d = guard_state();
+void wait_for_exit_blockers() {
+  ProcessExitBlockerState& d = guard_state();
   std::unique_lock lock(d.mutex);
   d.changed.wait(lock, [&] { return d.guard_count == 0; });
   d.owner = std::this_thread::get_id();

@@ -27,6 +27,6 @@ class ProcessExitBlocker {
 /// Waits until no ProcessExitBlocker exists. Afterwards, the constructor of ProcessExitBlocker
 /// blocks every thread except the calling thread. The thread that ends the process calls this
 /// function first.
-void wait_and_block_other_writers();
+void wait_for_exit_blockers();
 
 }  // namespace fpkcheck::base

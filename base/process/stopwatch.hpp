@@ -20,12 +20,12 @@ class Stopwatch {
 class Deadline {
  public:
   explicit Deadline(double seconds) : seconds_(seconds) {}
-  static Deadline unlimited() { return Deadline(std::numeric_limits<double>::infinity()); }
+  static Deadline without_time_limit() { return Deadline(std::numeric_limits<double>::infinity()); }
 
   /// Returns whether a computation that takes `seconds` would end before the deadline if started
   /// now.
   bool has_time_for(double seconds) const { return stopwatch_.seconds() + seconds <= seconds_; }
-  bool has_passed() const { return !has_time_for(0); }
+  bool has_deadline_passed() const { return !has_time_for(0); }
   double limit_seconds() const { return seconds_; }
 
  private:

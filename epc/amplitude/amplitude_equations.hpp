@@ -9,25 +9,25 @@
 
 #include "epc/amplitude/amplitude_phase.hpp"
 #include "epc/amplitude/impulse_means.hpp"
-#include "epc/form/polynomial.hpp"
+#include "epc/form/exponent_polynomial.hpp"
 #include "epc/half_plane/closure_density.hpp"
 #include "epc/half_plane/galerkin_system.hpp"
 #include "problem/problem.hpp"
-#include "transform/density.hpp"
+#include "transform/joint_density.hpp"
 
 /// Quadrature points, equations, density and contours of the formulations with the amplitude as
 /// coordinate s. The template parameter `Coordinates` is polar::AmplitudePhaseCoordinates or
 /// contact::AmplitudeVelocityCoordinates, with these functions:
 ///  - sqrt_twice_potential(y), the speed w(y); displacement(w), its inverse function;
 ///    displacement_slope(y), the derivative dy/dw;
-///  - second_coordinate(rho, theta), the coordinate t; phase(rho, t), its inverse function;
+///  - second_exponent_coordinate(rho, theta), the coordinate t; phase(rho, t), its inverse function;
 ///  - coordinates_after_impulse(w, v), the coordinates s and t of the velocity v after an impulse;
 ///  - coordinate_time_derivatives(system, y, rho, t), the rates of change of s and t;
-///  - velocity_derivatives(rho, t), the derivatives of s and t with respect to v;
+///  - coordinate_derivatives_in_v(rho, t), the derivatives of s and t with respect to v;
 ///  - density_prefactor(rho), the factor of the exponential in the density;
 ///  - relative_atom_probability(), the probability of the atom at rest divided by C exp(Q_n);
 ///  - amplitude_break_points(law, rho_max), amplitudes at which quadrature panels end;
-///  - leading_form_phases(), the phases at which the sign of the leading form may differ.
+///  - phases_for_leading_form_sign(), the phases at which the sign of the leading form may differ.
 namespace fpkcheck::epc::amplitude {
 
 /// Derivatives of the two coordinates s and t of a closure with respect to time, or with respect to
@@ -39,8 +39,9 @@ struct CoordinateTimeDerivatives {
 /// Returns the polynomial q as a function of amplitude and phase, with a reference to q.
 template <class Coordinates>
 ExponentInPolarCoordinates polar_exponent(const ExponentPolynomial& q) {
-  return
-      [&q](double rho, double theta) { return q(rho, Coordinates::second_coordinate(rho, theta)); };
+  return [&q](double rho, double theta) {
+    return q(rho, Coordinates::second_exponent_coordinate(rho, theta));
+  };
 }
 
 /// Returns Gauss-Legendre points in the amplitude rho and the phase theta, v = rho sin(theta). The
@@ -56,13 +57,14 @@ half_plane::QuadraturePoints quadrature_points(const Coordinates& coordinates, d
   const auto theta =
       numerics::gauss_legendre_rule(size.t, -std::numbers::pi / 2, std::numbers::pi / 2);
   const bool has_atom = coordinates.relative_atom_probability() > 0;
-  auto points = half_plane::QuadraturePoints::zeros(rho.size() * theta.size() + has_atom);
+  auto points =
+      half_plane::QuadraturePoints::zero_initialised(rho.size() * theta.size() + has_atom);
   Eigen::Index k = 0;
   for (std::size_t i = 0; i < rho.points.size(); ++i) {
     const double at = rho.points[i];
     for (std::size_t j = 0; j < theta.points.size(); ++j, ++k) {
       points.s[k] = at;
-      points.t[k] = Coordinates::second_coordinate(at, theta.points[j]);
+      points.t[k] = Coordinates::second_exponent_coordinate(at, theta.points[j]);
       points.y[k] = coordinates.displacement(at * std::cos(theta.points[j]));
       points.v[k] = at * std::sin(theta.points[j]);
       points.energy[k] = energy_of_amplitude(at);
@@ -86,7 +88,7 @@ half_plane::DensityContour constant_amplitude_contour(const Coordinates& coordin
     const double theta = equidistant_phases()[k];
     const double y = coordinates.displacement(rho * std::cos(theta));
     contour.push_back({.s = rho,
-                       .t = Coordinates::second_coordinate(rho, theta),
+                       .t = Coordinates::second_exponent_coordinate(rho, theta),
                        .y = y,
                        .v = rho * std::sin(theta),
                        .area = trapezoidal_phase_weight(k) * coordinates.displacement_slope(y) *
@@ -98,10 +100,9 @@ half_plane::DensityContour constant_amplitude_contour(const Coordinates& coordin
 /// Returns the density with the exponent q + confinement as a function of y and v.
 /// @param support energy beyond which the density is 0
 template <class Coordinates>
-transform::SmoothDensity density_from_exponent(const ExponentPolynomial& q,
-                                               const Coordinates& coordinates, double support,
-                                               const half_plane::ExponentConfinement& confinement,
-                                               double log_constant) {
+transform::SmoothDensity density_from_exponent(
+    const ExponentPolynomial& q, const Coordinates& coordinates, double support,
+    const half_plane::ExponentConfinementTerm& confinement, double log_constant) {
   const double largest = amplitude_of_energy(support);
   return {.value =
               [q, coordinates, largest, confinement, log_constant](double y, double v) {
@@ -116,14 +117,14 @@ transform::SmoothDensity density_from_exponent(const ExponentPolynomial& q,
 }
 
 /// Determines the behaviour of the exponent Q_n at infinity by condition (19) of the paper, along
-/// Coordinates::leading_form_phases(). The radii in the result are amplitudes rho in units of
-/// sigma_2, the standard deviation of the velocity.
+/// Coordinates::phases_for_leading_form_sign(). The radii in the result are amplitudes rho in units
+/// of sigma_2, the standard deviation of the velocity.
 template <class Coordinates>
-LeadingFormOfExponent leading_form_of_amplitude_exponent(const ExponentPolynomial& q,
-                                                         const StandardDeviations& sigma) {
-  std::vector<PlaneDirection> directions;
-  for (const double theta : Coordinates::leading_form_phases())
-    directions.push_back({1, Coordinates::second_coordinate(1, theta)});
+ExponentBehaviourAtInfinity leading_form_of_amplitude_exponent(const ExponentPolynomial& q,
+                                                               const StandardDeviations& sigma) {
+  std::vector<PhasePlaneDirection> directions;
+  for (const double theta : Coordinates::phases_for_leading_form_sign())
+    directions.push_back({1, Coordinates::second_exponent_coordinate(1, theta)});
   return leading_form_along_directions(q, directions, sigma.x2);
 }
 
@@ -140,12 +141,10 @@ LeadingFormOfExponent leading_form_of_amplitude_exponent(const ExponentPolynomia
 /// @param points quadrature points up to the amplitude rho_max
 /// @param wall_points number of quadrature points on the wall
 template <class Coordinates>
-half_plane::ClosureEquations closure_equations(const problem::Problem& problem,
-                                               const Coordinates& coordinates, double rho_max,
-                                               const half_plane::ExponentConfinement& confinement,
-                                               half_plane::OrthonormalBasis basis,
-                                               half_plane::QuadraturePoints points,
-                                               int wall_points) {
+half_plane::ClosureEquations closure_equations(
+    const problem::Problem& problem, const Coordinates& coordinates, double rho_max,
+    const half_plane::ExponentConfinementTerm& confinement, half_plane::OrthonormalBasis basis,
+    half_plane::QuadraturePoints points, int wall_points) {
   using Eigen::MatrixXd;
   using Eigen::VectorXd;
   VectorXd w(points.size()), s_rate = VectorXd::Zero(points.size()), t_rate = s_rate;
@@ -158,8 +157,8 @@ half_plane::ClosureEquations closure_equations(const problem::Problem& problem,
     s_rate[i] = rate.s;
     t_rate[i] = rate.t;
   }
-  const auto s_tables = basis.polynomials_in_s().derivative_tables(points.s, 1);
-  const auto t_tables = basis.polynomials_in_t().derivative_tables(points.t, 1);
+  const auto s_tables = basis.polynomials_in_s().polynomial_derivative_tables(points.s, 1);
+  const auto t_tables = basis.polynomials_in_t().polynomial_derivative_tables(points.t, 1);
   const auto& basis_functions = basis.basis_functions();
   const MatrixXd values = products_of_basis_columns(basis_functions, s_tables[0], t_tables[0]);
   const MatrixXd after_impulse = means_after_impulse(
@@ -170,8 +169,9 @@ half_plane::ClosureEquations closure_equations(const problem::Problem& problem,
   const Eigen::Map<const VectorXd> speed(wall.points.data(), wall.size());
   const VectorXd rebound_speed = problem.system.restitution() * speed;
   const auto on_wall = [&](const VectorXd& rho, double theta) {
-    return basis.basis_values(
-        rho, rho.unaryExpr([&](double at) { return Coordinates::second_coordinate(at, theta); }));
+    return basis.basis_values(rho, rho.unaryExpr([&](double at) {
+      return Coordinates::second_exponent_coordinate(at, theta);
+    }));
   };
   const MatrixXd wall_basis_functions = on_wall(speed, -std::numbers::pi / 2);
   const auto directional_derivative = [&](const VectorXd& of_s, const VectorXd& of_t) -> MatrixXd {
@@ -181,7 +181,7 @@ half_plane::ClosureEquations closure_equations(const problem::Problem& problem,
   };
   const MatrixXd impulse_terms = problem.impulses.arrival_rate() * (after_impulse - values);
   const problem::ExcitationTimeDependence& time = problem.time;
-  std::vector<half_plane::TimeDependentTerm> time_dependent_terms;
+  std::vector<half_plane::TimeDependentGeneratorTerm> time_dependent_terms;
   if (time.has_rate_factor()) {
     time_dependent_terms.push_back(
         {[time](double at) { return time.rate_factor(at) - 1; }, impulse_terms});
@@ -190,16 +190,16 @@ half_plane::ClosureEquations closure_equations(const problem::Problem& problem,
     VectorXd s_derivative = VectorXd::Zero(points.size()), t_derivative = s_derivative;
     for (Eigen::Index i = 0; i < points.size() - has_atom; ++i) {
       const CoordinateTimeDerivatives derivative =
-          coordinates.velocity_derivatives(points.s[i], points.t[i]);
+          coordinates.coordinate_derivatives_in_v(points.s[i], points.t[i]);
       s_derivative[i] = derivative.s;
       t_derivative[i] = derivative.t;
     }
     time_dependent_terms.push_back({[time](double at) { return time.external_force(at); },
                                     directional_derivative(s_derivative, t_derivative)});
   }
-  half_plane::GalerkinTables tables{
+  half_plane::GalerkinQuadratureTables tables{
       .weight = points.weight,
-      .basis_functions = half_plane::BasisAtPoints(basis, points.s, points.t),
+      .basis_functions = half_plane::BasisValuesAtPoints(basis, points.s, points.t),
       .generator_terms = directional_derivative(s_rate, t_rate) + impulse_terms,
       .time_dependent_terms = std::move(time_dependent_terms),
       .confinement_terms = points.energy.unaryExpr(confinement),

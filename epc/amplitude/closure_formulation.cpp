@@ -14,11 +14,11 @@ namespace fpkcheck::epc::amplitude {
 
 using Eigen::VectorXd;
 using half_plane::ClosureDensity;
-using half_plane::ExponentConfinement;
+using half_plane::ClosureRootSearchStage;
+using half_plane::ExponentConfinementTerm;
 using half_plane::QuadraturePointCounts;
 using half_plane::QuadraturePoints;
 using half_plane::QuadratureRefinementCriterion;
-using half_plane::RootSearchStage;
 
 namespace {
 
@@ -53,11 +53,13 @@ ClosureDensity ClosureFormulation::initial_density() const {
   return closure;
 }
 
-std::vector<double> ClosureFormulation::confinement_levels(const ClosureDensity& guess,
-                                                           RootSearchStage) const {
+std::vector<double> ClosureFormulation::candidate_confinement_energies(
+    const ClosureDensity& guess, ClosureRootSearchStage) const {
   const double end = largest_scan_amplitude(guess.temperature);
-  std::vector<double> confinement_levels;
-  const auto add = [&](double rho) { confinement_levels.push_back(energy_of_amplitude(rho)); };
+  std::vector<double> candidate_confinement_energies;
+  const auto add = [&](double rho) {
+    candidate_confinement_energies.push_back(energy_of_amplitude(rho));
+  };
   for (const double depth : kDepths) {
     const ExponentDecayRange fall = find_exponent_decay_range(polar_exponent(guess.q), depth, end);
     if (fall.crossing) add(*fall.crossing);
@@ -66,13 +68,12 @@ std::vector<double> ClosureFormulation::confinement_levels(const ClosureDensity&
     for (const double factor : kBeyondDecayExtent) add(factor * guess.end_of_exponent_decay);
   }
   for (const double deviations : kLevelDeviations) add(deviations * std::sqrt(guess.temperature));
-  return confinement_levels;
+  return candidate_confinement_energies;
 }
 
-QuadraturePointCounts ClosureFormulation::quadrature_point_counts(int order,
-                                                                  double level_over_temperature,
-                                                                  RootSearchStage stage) const {
-  const int least = stage == RootSearchStage::rough ? 16 : 20;
+QuadraturePointCounts ClosureFormulation::quadrature_point_counts(
+    int order, double level_over_temperature, ClosureRootSearchStage stage) const {
+  const int least = stage == ClosureRootSearchStage::rough ? 16 : 20;
   const double width = std::max(1.0, std::sqrt(2 * level_over_temperature) / kLevelDeviations[0]);
   const int rho = static_cast<int>((least + 2 * order) * width);
   return {rho, least + 2 * order, rho};
@@ -108,9 +109,10 @@ VectorXd ClosureFormulation::weights_of_exponent_fit(const ClosureDensity& guess
   return mass / mass.sum();
 }
 
-double ClosureFormulation::decay_ratio(const ClosureDensity& closure, RootSearchStage) const {
+double ClosureFormulation::decay_ratio(const ClosureDensity& closure,
+                                       ClosureRootSearchStage) const {
   constexpr int kInside = 50, kOutside = 12;
-  const ExponentConfinement confinement =
+  const ExponentConfinementTerm confinement =
       half_plane::make_exponent_confinement(closure.level, tail_);
   const ExponentInPolarCoordinates q = polar_exponent(closure.q);
   const double rho = amplitude_of_energy(closure.level), end = amplitude_of_energy(closure.support);
@@ -124,7 +126,7 @@ double ClosureFormulation::decay_ratio(const ClosureDensity& closure, RootSearch
   return std::exp(outside - peak);
 }
 
-double ClosureFormulation::decay_ratio_limit(RootSearchStage) const { return 1e-6; }
+double ClosureFormulation::max_decay_ratio(ClosureRootSearchStage) const { return 1e-6; }
 
 std::string inadmissible_reason(const char* quantity, double at_level, double edge) {
   if (!(at_level < kLevelDensityLimit)) {

@@ -26,15 +26,17 @@ inline constexpr double kQuadratureTolerance = 1e-3;
 class ClosureFormulation : public half_plane::ClosureFormulation {
  public:
   /// @param temperature approximate E[v^2] of the initial Gaussian density
-  ClosureFormulation(double temperature, double rate_of_change_unit, DensityTailTreatment tail)
-      : temperature_(temperature), rate_unit_(rate_of_change_unit), tail_(tail) {}
+  ClosureFormulation(double temperature, double relaxation_rate_unit, DensityTailTreatment tail)
+      : temperature_(temperature), rate_unit_(relaxation_rate_unit), tail_(tail) {}
 
   half_plane::ClosureDensity initial_density() const override;
-  double rate_of_change_unit() const override { return rate_unit_; }
-  std::vector<double> confinement_levels(const half_plane::ClosureDensity& guess,
-                                         half_plane::RootSearchStage stage) const override;
+  double relaxation_rate_unit() const override { return rate_unit_; }
+  std::vector<double> candidate_confinement_energies(
+      const half_plane::ClosureDensity& guess,
+      half_plane::ClosureRootSearchStage stage) const override;
   half_plane::QuadraturePointCounts quadrature_point_counts(
-      int order, double level_over_temperature, half_plane::RootSearchStage stage) const override;
+      int order, double level_over_temperature,
+      half_plane::ClosureRootSearchStage stage) const override;
   half_plane::QuadratureRefinementCriterion quadrature_refinement_criterion() const override;
   double exponent_of_initial_guess(const half_plane::ClosureDensity& guess, double s,
                                    double t) const override;
@@ -44,8 +46,8 @@ class ClosureFormulation : public half_plane::ClosureFormulation {
                                           const Eigen::VectorXd& exponent,
                                           const Eigen::VectorXd& mass) const override;
   double decay_ratio(const half_plane::ClosureDensity& closure,
-                     half_plane::RootSearchStage stage) const override;
-  double decay_ratio_limit(half_plane::RootSearchStage stage) const override;
+                     half_plane::ClosureRootSearchStage stage) const override;
+  double max_decay_ratio(half_plane::ClosureRootSearchStage stage) const override;
 
  protected:
   /// Returns the exponent Q_n as a function of amplitude and phase. The returned function keeps a
@@ -82,7 +84,7 @@ class CoordinateFormulation final : public ClosureFormulation {
         Coordinates::amplitude_break_points(problem_.impulses.amplitude_law(), rho_max), size);
   }
   half_plane::ClosureEquations closure_equations(
-      double support, const half_plane::ExponentConfinement& confinement,
+      double support, const half_plane::ExponentConfinementTerm& confinement,
       half_plane::OrthonormalBasis basis, half_plane::QuadraturePoints points,
       const half_plane::QuadraturePointCounts& size) const override {
     return amplitude::closure_equations(problem_, coordinates_, amplitude_of_energy(support),
@@ -106,7 +108,7 @@ class CoordinateFormulation final : public ClosureFormulation {
 /// @param quantity name of the quantity whose decay is checked, for the reason
 template <class Coordinates>
 void assess_closure_root(const problem::Problem& problem, const Coordinates& coordinates,
-                         const half_plane::RootSearchResult& root, DensityTailTreatment tail,
+                         const half_plane::ClosureRootSearchResult& root, DensityTailTreatment tail,
                          const transform::SmoothDensity& density, const char* quantity,
                          ClosureResult& result) {
   const half_plane::ClosureDensity& closure = root.closure;

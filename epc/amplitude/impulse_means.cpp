@@ -34,14 +34,16 @@ const VelocitiesAfterImpulse& GradedImpulseQuadrature::operator()(double v, doub
     if (at > low && at < high) breaks_.push_back(at);
   };
   add_break(0);
-  for (double at = kFirstBreak * width; at > 0 && at < law_.deviation(); at *= kGrowth) {
+  for (double at = kFirstBreak * width; at > 0 && at < law_.amplitude_standard_deviation();
+       at *= kGrowth) {
     add_break(at);
     add_break(-at);
   }
   std::ranges::sort(breaks_);
   for (std::size_t i = 0; i + 1 < breaks_.size(); ++i) {
     const double step = breaks_[i + 1] - breaks_[i];
-    const int panels = static_cast<int>(std::ceil(step / (kPanel * law_.deviation())));
+    const int panels =
+        static_cast<int>(std::ceil(step / (kPanel * law_.amplitude_standard_deviation())));
     for (int k = 0; k < panels; ++k) {
       add_quadrature_panel(breaks_[i] + step * k / panels, breaks_[i] + step * (k + 1) / panels, v);
     }

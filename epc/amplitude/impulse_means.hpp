@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "epc/half_plane/basis.hpp"
+#include "epc/half_plane/half_plane_basis.hpp"
 #include "problem/impulse_law.hpp"
 
 namespace fpkcheck::epc::amplitude {

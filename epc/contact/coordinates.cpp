@@ -10,7 +10,7 @@
 
 namespace fpkcheck::epc::contact {
 
-bool force_presses_on_single_wall(const problem::Problem& problem) {
+bool spring_presses_on_single_wall(const problem::Problem& problem) {
   const auto features = problem::problem_features(problem);
   const auto& system = problem.system;
   return features.rests_in_contact && !features.two_walls &&
@@ -23,7 +23,7 @@ AmplitudeVelocityCoordinates::AmplitudeVelocityCoordinates(const problem::Proble
       restitution_(problem.system.restitution()),
       atom_weight_(2 * std::log(1 / problem.system.restitution()) /
                    problem.impulses.arrival_rate()) {
-  assert(force_presses_on_single_wall(problem));
+  assert(spring_presses_on_single_wall(problem));
 }
 
 double AmplitudeVelocityCoordinates::displacement(double w) const {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "epc/amplitude/amplitude_equations.hpp"
-#include "epc/form/closed_form.hpp"
+#include "epc/form/closed_form_parameters.hpp"
 #include "numerics/polynomials/polynomial.hpp"
 #include "problem/problem.hpp"
 
@@ -14,7 +14,7 @@ namespace fpkcheck::epc::contact {
 
 /// Returns whether the only wall is on the left, the mass can rest in contact with this wall, and
 /// the restoring force acts towards this wall everywhere.
-bool force_presses_on_single_wall(const problem::Problem& problem);
+bool spring_presses_on_single_wall(const problem::Problem& problem);
 
 /// Coordinates amplitude and velocity on the half-plane y >= 0, with the potential V(y) = U(y) -
 /// U(0):
@@ -41,7 +41,7 @@ class AmplitudeVelocityCoordinates {
  public:
   static constexpr ExponentCoordinates kVariables = ExponentCoordinates::contact;
 
-  /// @pre force_presses_on_single_wall(problem), and the wall is at y = 0
+  /// @pre spring_presses_on_single_wall(problem), and the wall is at y = 0
   explicit AmplitudeVelocityCoordinates(const problem::Problem& problem);
 
   /// Returns the speed w(y) = sqrt(2 V(y)), at which the kinetic energy equals V(y).
@@ -61,7 +61,9 @@ class AmplitudeVelocityCoordinates {
     if (w == 0 && v < 0) return {-restitution_ * v, -restitution_ * v};
     return {std::hypot(w, v), v};
   }
-  static double second_coordinate(double rho, double theta) { return rho * std::sin(theta); }
+  static double second_exponent_coordinate(double rho, double theta) {
+    return rho * std::sin(theta);
+  }
   static double phase(double rho, double v) {
     return rho > 0 ? std::asin(std::clamp(v / rho, -1.0, 1.0)) : 0;
   }
@@ -71,7 +73,7 @@ class AmplitudeVelocityCoordinates {
                                                                    double y, double rho,
                                                                    double v) const;
   /// Returns the derivatives of rho and of v with respect to v: v / rho and 1.
-  static amplitude::CoordinateTimeDerivatives velocity_derivatives(double rho, double v) {
+  static amplitude::CoordinateTimeDerivatives coordinate_derivatives_in_v(double rho, double v) {
     return {v / rho, 1};
   }
 
@@ -84,7 +86,7 @@ class AmplitudeVelocityCoordinates {
   static std::vector<double> amplitude_break_points(const problem::ImpulseLaw&, double) {
     return {};
   }
-  static std::vector<double> leading_form_phases() {
+  static std::vector<double> phases_for_leading_form_sign() {
     return {amplitude::equidistant_phases().begin(), amplitude::equidistant_phases().end()};
   }
 

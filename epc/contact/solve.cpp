@@ -13,7 +13,7 @@ namespace fpkcheck::epc::contact {
 namespace {
 
 using half_plane::ClosureDensity;
-using half_plane::RootSearchResult;
+using half_plane::ClosureRootSearchResult;
 using transform::GridDensity;
 
 double marginal_l1_distance(const GridDensity& a, const GridDensity& b) {
@@ -61,9 +61,9 @@ ClosureResult solve_closure(const problem::Problem& problem, const ClosureOption
   const AmplitudeVelocityCoordinates coordinates(problem);
   const double deviation = problem::motion_scales(problem).velocity_deviation;
   const double temperature = deviation * deviation;
-  const RootSearchResult root = half_plane::find_closure_root(
+  const ClosureRootSearchResult root = half_plane::find_closure_root(
       amplitude::CoordinateFormulation(problem, coordinates, temperature,
-                                       half_plane::rate_of_change_unit(problem, temperature),
+                                       half_plane::relaxation_rate_unit(problem, temperature),
                                        options.tail),
       options);
   ClosureResult result = half_plane::make_unassessed_result(root);

@@ -50,7 +50,7 @@ struct DiscreteAmplitudeLaw {
 };
 
 DiscreteAmplitudeLaw make_discrete_law(const AmplitudeVelocityCoordinates& coordinates,
-                                       const half_plane::RootSearchResult& root,
+                                       const half_plane::ClosureRootSearchResult& root,
                                        const transform::SmoothDensity& density) {
   const half_plane::ClosureDensity& closure = root.closure;
   DiscreteAmplitudeLaw law{
@@ -125,8 +125,8 @@ transform::BalanceResiduals balance_residuals_of_law(const problem::Problem& pro
     virial.mean_y_cubed_velocity = law.mean_of([](double y, double v) { return y * v * v * v; });
     momentum.mean_cubed_velocity = law.mean_of([](double, double v) { return v * v * v; });
   }
-  return {.virial = problem::virial_balance(problem, virial).relative_residual(),
-          .momentum = problem::momentum_balance(problem, momentum).relative_residual()};
+  return {.virial = problem::virial_balance(problem, virial).relative_balance_residual(),
+          .momentum = problem::momentum_balance(problem, momentum).relative_balance_residual()};
 }
 
 }  // namespace
@@ -143,7 +143,7 @@ transform::GridDensity average_on_graded_cells(const transform::SmoothDensity& d
 
 void store_density_and_atom(const problem::Problem& problem,
                             const AmplitudeVelocityCoordinates& coordinates,
-                            const half_plane::RootSearchResult& root,
+                            const half_plane::ClosureRootSearchResult& root,
                             const transform::SmoothDensity& density, ClosureResult& result) {
   auto& [solution, summary] = result;
   const problem::System& system = problem.system;

@@ -3,7 +3,7 @@
 #include "epc/contact/coordinates.hpp"
 #include "epc/half_plane/root_search.hpp"
 #include "epc/summary.hpp"
-#include "transform/density.hpp"
+#include "transform/joint_density.hpp"
 
 namespace fpkcheck::epc::contact {
 
@@ -15,7 +15,7 @@ transform::GridDensity average_on_graded_cells(const transform::SmoothDensity& d
 /// probability, the moments, and the residuals of the balances of power, virial and momentum.
 void store_density_and_atom(const problem::Problem& problem,
                             const AmplitudeVelocityCoordinates& coordinates,
-                            const half_plane::RootSearchResult& root,
+                            const half_plane::ClosureRootSearchResult& root,
                             const transform::SmoothDensity& density, ClosureResult& result);
 
 }  // namespace fpkcheck::epc::contact

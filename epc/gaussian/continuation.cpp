@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "epc/form/polynomial.hpp"
+#include "epc/form/exponent_polynomial.hpp"
 #include "numerics/linear_algebra/factorisations.hpp"
 #include "numerics/roots/continuation.hpp"
 
@@ -29,7 +29,7 @@ double absolute_moment(double m, double sigma) {
 // elastic impacts. For an even power a y^m of the restoring force, the potential U(|x1|) is not a
 // polynomial. A linear force replaces the even power, with the mean slope E[a m |x1|^(m-1)] of this
 // power.
-std::vector<ExponentMonomial> elastic_white_noise_exponent(const ResidualCoefficients& f,
+std::vector<ExponentMonomial> elastic_white_noise_exponent(const DensityEquationCoefficients& f,
                                                            const StandardDeviations& sigma) {
   const double beta = f.damping / (f.rate_times_moment[2] / 2);
   std::vector<ExponentMonomial> terms{{0, 2, -beta / 2}};
@@ -44,9 +44,10 @@ std::vector<ExponentMonomial> elastic_white_noise_exponent(const ResidualCoeffic
 }
 
 // Returns the homotopy of the branch: the residual R with homotopy_coefficients(), in units of
-// projected_residual_unit(). The homotopy residual is linear in the fraction of the full problem.
+// unit_of_projected_residual(). The homotopy residual is linear in the fraction of the full
+// problem.
 Homotopy solution_branch_homotopy(const ProjectedEquations& projection,
-                                  const ResidualCoefficients& full, double unit) {
+                                  const DensityEquationCoefficients& full, double unit) {
   return {
       .residual = [=, &projection](const Eigen::VectorXd& a, double fraction) -> Eigen::VectorXd {
         return projection.residual(homotopy_coefficients(full, fraction), a) / unit;
@@ -62,25 +63,26 @@ Homotopy solution_branch_homotopy(const ProjectedEquations& projection,
       }};
 }
 
-SolutionBranchEnd branch_end_of(const SolutionCurve& curve) {
+SolutionBranchEndReason branch_end_of(const SolutionCurve& curve) {
   switch (curve.end) {
     case ContinuationTermination::end_reached:
-      return SolutionBranchEnd::full_problem;
+      return SolutionBranchEndReason::full_problem;
     case ContinuationTermination::fell_back:
-      return SolutionBranchEnd::white_noise;
+      return SolutionBranchEndReason::white_noise;
     case ContinuationTermination::diverged:
-      return SolutionBranchEnd::far_away;
+      return SolutionBranchEndReason::far_away;
     case ContinuationTermination::step_underflow:
     case ContinuationTermination::limit_exceeded:
       break;
   }
-  return SolutionBranchEnd::lost;
+  return SolutionBranchEndReason::lost;
 }
 
 SolutionBranch solution_branch_of(const SolutionCurve& curve, const Homotopy& family,
                                   const GaussianWeightedBasis& basis) {
-  SolutionBranch branch{
-      .end = branch_end_of(curve), .furthest = curve.point_with_largest_t().t, .points = {}};
+  SolutionBranch branch{.end = branch_end_of(curve),
+                        .furthest = curve.curve_point_with_largest_parameter().t,
+                        .points = {}};
   for (const SolutionCurvePoint& point : curve.points) {
     const auto singularity_indicators =
         numerics::singularity_indicators(family.jacobian(point.a, point.t));
@@ -89,7 +91,9 @@ SolutionBranch solution_branch_of(const SolutionCurve& curve, const Homotopy& fa
          .norm = point.a.norm(),
          .smallest_singular_value = singularity_indicators.smallest_singular_value,
          .determinant_sign = singularity_indicators.determinant_sign,
-         .falls = leading_form(basis.exponent_polynomial(point.a), basis.sigma()).negative,
+         .falls =
+             leading_form(basis.exponent_polynomial(point.a), basis.weight_standard_deviations())
+                 .negative,
          .fold = false});
   }
   for (const std::size_t fold : curve.folds) branch.points[fold].fold = true;
@@ -98,7 +102,7 @@ SolutionBranch solution_branch_of(const SolutionCurve& curve, const Homotopy& fa
 
 NewtonResult root_at_curve_end(const SolutionCurve& curve, const SolutionCurvePoint& last,
                                const ProjectedEquations& projection,
-                               const ResidualCoefficients& there, double tolerance) {
+                               const DensityEquationCoefficients& there, double tolerance) {
   const bool end_reached = curve.end == ContinuationTermination::end_reached;
   NewtonResult root = solve_by_newton(
       projection, there, last.a,
@@ -111,20 +115,21 @@ NewtonResult root_at_curve_end(const SolutionCurve& curve, const SolutionCurvePo
 }  // namespace
 
 SolutionBranchAndRoot follow_solution_branch(const ProjectedEquations& projection,
-                                             const ResidualCoefficients& full, double tolerance) {
+                                             const DensityEquationCoefficients& full,
+                                             double tolerance) {
   const GaussianWeightedBasis& basis = projection.basis();
-  const Eigen::VectorXd exact =
-      basis.scaled_coefficients(elastic_white_noise_exponent(full, basis.sigma()));
+  const Eigen::VectorXd exact = basis.scaled_coefficients(
+      elastic_white_noise_exponent(full, basis.weight_standard_deviations()));
   const NewtonResult start = solve_by_newton(projection, homotopy_coefficients(full, 0), exact,
                                              {.tolerance = tolerance, .damped = false});
   if (!start.converged)
-    return {{.end = SolutionBranchEnd::lost, .furthest = 0, .points = {}}, start};
+    return {{.end = SolutionBranchEndReason::lost, .furthest = 0, .points = {}}, start};
 
   const Homotopy family =
-      solution_branch_homotopy(projection, full, projected_residual_unit(projection, full));
+      solution_branch_homotopy(projection, full, unit_of_projected_residual(projection, full));
   const SolutionCurve curve = numerics::trace_solution_curve(
       family, start.a, {.tolerance = tolerance, .max_points = kMaxPoints});
-  const SolutionCurvePoint& last = curve.point_with_largest_t();
+  const SolutionCurvePoint& last = curve.curve_point_with_largest_parameter();
   NewtonResult root =
       root_at_curve_end(curve, last, projection, homotopy_coefficients(full, last.t), tolerance);
   root.iterations += start.iterations;
@@ -132,9 +137,9 @@ SolutionBranchAndRoot follow_solution_branch(const ProjectedEquations& projectio
 }
 
 NewtonResult follow_newton_homotopy(const ProjectedEquations& projection,
-                                    const ResidualCoefficients& f, const Eigen::VectorXd& start,
-                                    double tolerance) {
-  const double unit = projected_residual_unit(projection, f);
+                                    const DensityEquationCoefficients& f,
+                                    const Eigen::VectorXd& start, double tolerance) {
+  const double unit = unit_of_projected_residual(projection, f);
   const Homotopy family = numerics::newton_homotopy(
       [&](const Eigen::VectorXd& a) -> Eigen::VectorXd { return projection.residual(f, a) / unit; },
       [&](const Eigen::VectorXd& a) -> Eigen::MatrixXd { return projection.jacobian(f, a) / unit; },

@@ -17,13 +17,14 @@ struct SolutionBranchAndRoot {
 /// (homotopy_coefficients()). If the restoring force has even powers, the solution branch starts
 /// from an approximation of the exact density.
 SolutionBranchAndRoot follow_solution_branch(const ProjectedEquations& projection,
-                                             const ResidualCoefficients& full, double tolerance);
+                                             const DensityEquationCoefficients& full,
+                                             double tolerance);
 
 /// Follows Newton's homotopy from a start to a root of the projected equations. If Newton's
 /// homotopy does not reach its end, the returned result has not converged.
 /// @param start root of the equations of closure order n-2
 numerics::NewtonResult follow_newton_homotopy(const ProjectedEquations& projection,
-                                              const ResidualCoefficients& f,
+                                              const DensityEquationCoefficients& f,
                                               const Eigen::VectorXd& start, double tolerance);
 
 }  // namespace fpkcheck::epc::gaussian

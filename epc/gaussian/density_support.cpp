@@ -41,13 +41,13 @@ double crossing_between(const PolynomialAlongRay& q, const PolynomialAlongRay& s
   return at;
 }
 
-struct DensityEdgeOnRay {
+struct DensitySupportEdgeOnRay {
   double radius;
   double peak;  // largest exponent Q_n at radii below the edge
 };
 
 // Finds the edge of the support along one direction, by the rules (a) to (c) of DensitySupport.
-DensityEdgeOnRay edge_on_ray(const PolynomialAlongRay& q, double core_peak) {
+DensitySupportEdgeOnRay edge_on_ray(const PolynomialAlongRay& q, double core_peak) {
   const PolynomialAlongRay slope = derivative_coefficients(q);
   const double negligible = core_peak + std::log(DensitySupport::kNegligible);
   const double allowed = core_peak + std::log(kMaxSupportEdgeDensity);
@@ -146,7 +146,7 @@ bool DensitySupport::contains(double x1, double x2) const {
 }
 
 double log_normalising_constant(const DensitySupport& support) {
-  return -support.peak_exponent() - std::log(support.integral_relative_to_peak());
+  return -support.largest_exponent_in_support() - std::log(support.integral_relative_to_peak());
 }
 
 transform::SmoothDensity density_from_exponent(const ExponentPolynomial& q,

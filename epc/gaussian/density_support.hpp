@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "epc/form/polynomial.hpp"
-#include "transform/density.hpp"
+#include "epc/form/exponent_polynomial.hpp"
+#include "transform/joint_density.hpp"
 
 namespace fpkcheck::epc::gaussian {
 
@@ -30,14 +30,14 @@ class DensitySupport {
   double x1_max() const { return x1_max_; }
   double x2_max() const { return x2_max_; }
 
-  double peak_exponent() const { return peak_; }
-  /// Integral of exp(Q_n - peak_exponent()) over the support of the density.
+  double largest_exponent_in_support() const { return peak_; }
+  /// Integral of exp(Q_n - largest_exponent_in_support()) over the support of the density.
   double integral_relative_to_peak() const { return integral_; }
-  double edge_density_ratio() const { return edge_ratio_; }
+  double support_edge_to_peak_density_ratio() const { return edge_ratio_; }
   /// Estimated probability outside the set, relative to the probability inside: sigma_1 sigma_2
   /// oint p(edge) dtheta. This estimate assumes that the density decays beyond the edge of the
   /// support like the Gaussian weights (25)-(26) of the paper.
-  double cut_off_probability() const { return cut_off_; }
+  double probability_outside_support() const { return cut_off_; }
 
  private:
   void compute_integrals(const std::vector<PolynomialAlongRay>& rays);

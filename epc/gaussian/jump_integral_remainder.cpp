@@ -73,7 +73,8 @@ QuadratureRule piecewise_impulse_quadrature_rule(const problem::ImpulseLaw& law)
   const std::vector<double> pieces = law.amplitude_density_breakpoints();
   for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
     const double from = pieces[i], to = pieces[i + 1];
-    const int panels = static_cast<int>(std::ceil((to - from) / law.deviation()));
+    const int panels =
+        static_cast<int>(std::ceil((to - from) / law.amplitude_standard_deviation()));
     for (const auto& [at, weight] : numerics::composite_gauss_points(from, to, panels)) {
       add(at, weight * law.density(at));
     }
@@ -117,13 +118,14 @@ JumpIntegralRemainder::JumpIntegralRemainder(const GaussianWeightedBasis& basis,
                                              const problem::ImpulseTrain& impulses, double radius)
     : rate_(impulses.arrival_rate()),
       series_(series_terms(impulses)),
-      nodes_(disc_rule(basis.sigma(), radius, basis.monomial_set() == MonomialSet::point_symmetric),
+      nodes_(disc_rule(basis.weight_standard_deviations(), radius,
+                       basis.monomial_set() == MonomialSet::point_symmetric),
              basis) {
   const QuadratureRule law = impulse_quadrature_rule(impulses.amplitude_law(), kJumpPoints);
   jumps_ = law.size();
   Eigen::VectorXd x1(nodes_.size() * jumps_), x2(x1.size());
   jump_weights_.resize(x1.size());
-  const auto& [sigma1, sigma2] = basis.sigma();
+  const auto& [sigma1, sigma2] = basis.weight_standard_deviations();
   for (Eigen::Index i = 0; i < nodes_.size(); ++i) {
     for (Eigen::Index j = 0; j < jumps_; ++j) {
       const Eigen::Index row = i * jumps_ + j;

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "epc/gaussian/basis.hpp"
+#include "epc/gaussian/gaussian_weighted_basis.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/excitation.hpp"
 #include "problem/impulse_law.hpp"

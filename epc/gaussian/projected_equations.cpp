@@ -68,7 +68,7 @@ std::vector<ExponentPartialDerivatives> gradients_at_nodes(const GaussianProject
   return q;
 }
 
-bool has_signed_part(const ResidualCoefficients& f) {
+bool has_signed_part(const DensityEquationCoefficients& f) {
   const bool even_force = f.even_force.degree() > 0 || f.even_force.coefficient(0) != 0;
   return even_force || f.rate_times_moment[1] != 0 || f.rate_times_moment[3] != 0;
 }
@@ -76,48 +76,49 @@ bool has_signed_part(const ResidualCoefficients& f) {
 }  // namespace
 
 ProjectedEquations::ProjectedEquations(GaussianWeightedBasis basis,
-                                       std::optional<ProjectedFormulas> formulas)
+                                       std::optional<ProjectedFormulaTerms> formulas)
     : basis_(std::move(basis)),
       smooth_(projection_nodes(
           product_rule(numerics::gauss_hermite_rule(smooth_integrand_degree(basis_.order())),
                        numerics::gauss_hermite_rule(smooth_integrand_degree(basis_.order())),
-                       basis_.sigma()),
+                       basis_.weight_standard_deviations()),
           basis_)),
       signed_(projection_nodes(
           product_rule(
               numerics::normal_rule_weighted_by_sign(signed_integrand_degree(basis_.order())),
               numerics::gauss_hermite_rule(signed_integrand_degree(basis_.order())),
-              basis_.sigma()),
+              basis_.weight_standard_deviations()),
           basis_)),
       impact_(projection_nodes(wall_line_rule(numerics::normal_rule_weighted_by_abs(
                                                   impact_integrand_degree(basis_.order())),
-                                              basis_.sigma()),
+                                              basis_.weight_standard_deviations()),
                                basis_)),
       formulas_(std::move(formulas)) {}
 
 ProjectedEquations::ProjectedEquations(GaussianWeightedBasis basis,
                                        const problem::ImpulseTrain& impulses, double jump_radius,
-                                       std::optional<ProjectedFormulas> formulas)
+                                       std::optional<ProjectedFormulaTerms> formulas)
     : ProjectedEquations(std::move(basis), std::move(formulas)) {
   jump_.emplace(basis_, impulses, jump_radius);
 }
 
-Eigen::VectorXd ProjectedEquations::residual(const ResidualCoefficients& f,
+Eigen::VectorXd ProjectedEquations::residual(const DensityEquationCoefficients& f,
                                              const Eigen::VectorXd& a) const {
-  Eigen::VectorXd result = residual_without_formulas(f, a);
-  if (f.formula_fraction != 0) result += f.formula_fraction * formulas_.value().projection(a);
+  Eigen::VectorXd result = projected_residual_without_formulas(f, a);
+  if (f.formula_fraction != 0)
+    result += f.formula_fraction * formulas_.value().projected_formula_terms(a);
   return result;
 }
 
-Eigen::MatrixXd ProjectedEquations::jacobian(const ResidualCoefficients& f,
+Eigen::MatrixXd ProjectedEquations::jacobian(const DensityEquationCoefficients& f,
                                              const Eigen::VectorXd& a) const {
-  Eigen::MatrixXd result = jacobian_without_formulas(f, a);
+  Eigen::MatrixXd result = projected_jacobian_without_formulas(f, a);
   if (f.formula_fraction != 0) result += f.formula_fraction * formulas_.value().jacobian(a);
   return result;
 }
 
-Eigen::VectorXd ProjectedEquations::residual_without_formulas(const ResidualCoefficients& f,
-                                                              const Eigen::VectorXd& a) const {
+Eigen::VectorXd ProjectedEquations::projected_residual_without_formulas(
+    const DensityEquationCoefficients& f, const Eigen::VectorXd& a) const {
   if (!f.folded) {
     return smooth_.project_on_basis_functions(
         values_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentPartialDerivatives& q) {
@@ -126,12 +127,12 @@ Eigen::VectorXd ProjectedEquations::residual_without_formulas(const ResidualCoef
   }
   Eigen::VectorXd result = smooth_.project_on_basis_functions(
       values_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentPartialDerivatives& q) {
-        return smooth_residual_part(f, smooth_.x1(i), smooth_.x2(i), q);
+        return residual_part_without_x1_sign(f, smooth_.x1(i), smooth_.x2(i), q);
       }));
   if (has_signed_part(f)) {
     result += signed_.project_on_basis_functions(
         values_at_nodes(signed_, a, [&](Eigen::Index i, const ExponentPartialDerivatives& q) {
-          return signed_residual_part(f, signed_.x1(i), q);
+          return residual_part_odd_in_x1_sign(f, signed_.x1(i), q);
         }));
   }
   if (f.jump_fraction != 0) result += f.jump_fraction * jump_.value().projected_remainder(a);
@@ -141,8 +142,8 @@ Eigen::VectorXd ProjectedEquations::residual_without_formulas(const ResidualCoef
                       }));
 }
 
-Eigen::MatrixXd ProjectedEquations::jacobian_without_formulas(const ResidualCoefficients& f,
-                                                              const Eigen::VectorXd& a) const {
+Eigen::MatrixXd ProjectedEquations::projected_jacobian_without_formulas(
+    const DensityEquationCoefficients& f, const Eigen::VectorXd& a) const {
   if (!f.folded) {
     return smooth_.project_gradients_on_basis(
         gradients_at_nodes(smooth_, a, [&](Eigen::Index i, const ExponentPartialDerivatives& q) {
@@ -173,7 +174,7 @@ using Eigen::VectorXd;
 constexpr double kLeastStepFraction = 1e-4;
 constexpr double kArmijo = 0.1;
 
-struct NewtonEquations {
+struct ClosureNewtonEquations {
   struct Iterate {
     VectorXd a, residual;
     double size;
@@ -198,24 +199,25 @@ struct NewtonEquations {
   }
 
   const ProjectedEquations& projection;
-  const ResidualCoefficients& f;
+  const DensityEquationCoefficients& f;
   double unit;
 };
 
 }  // namespace
 
-double projected_residual_unit(const ProjectedEquations& projection,
-                               const ResidualCoefficients& f) {
+double unit_of_projected_residual(const ProjectedEquations& projection,
+                                  const DensityEquationCoefficients& f) {
   constexpr double kRounding = 1e-4;
-  const StandardDeviations& sigma = projection.basis().sigma();
+  const StandardDeviations& sigma = projection.basis().weight_standard_deviations();
   return std::max(std::abs(f.damping), kRounding * sigma.x2 / sigma.x1);
 }
 
 numerics::NewtonResult solve_by_newton(const ProjectedEquations& projection,
-                                       const ResidualCoefficients& f, const VectorXd& start,
+                                       const DensityEquationCoefficients& f, const VectorXd& start,
                                        const numerics::NewtonOptions& options) {
   return numerics::solve_by_newton(
-      NewtonEquations{projection, f, projected_residual_unit(projection, f)}, start, options);
+      ClosureNewtonEquations{projection, f, unit_of_projected_residual(projection, f)}, start,
+      options);
 }
 
 }  // namespace fpkcheck::epc::gaussian

@@ -189,15 +189,15 @@ bool has_formulas(const problem::Problem& problem) {
          !problem.system.has_constant_restitution();
 }
 
-ProjectedFormulas::ProjectedFormulas(const GaussianWeightedBasis& basis,
-                                     const problem::Problem& problem, double damping,
-                                     double stiffness)
+ProjectedFormulaTerms::ProjectedFormulaTerms(const GaussianWeightedBasis& basis,
+                                             const problem::Problem& problem, double damping,
+                                             double stiffness)
     : constant_(VectorXd::Zero(basis.size())), linear_(MatrixXd::Zero(basis.size(), basis.size())) {
   assert(has_formulas(problem));
   const auto& system = problem.system;
   // Degree in x1 and in x2 of the monomials that the products of basis functions contain
   const int n = basis.order();
-  const GaussianMomentQuadrature of_force(problem, basis.sigma(), 2 * n);
+  const GaussianMomentQuadrature of_force(problem, basis.weight_standard_deviations(), 2 * n);
   const auto norm_factors = [](const GaussianMomentQuadrature& of) {
     return of.norms().x1 * of.norms().x2.transpose();
   };
@@ -214,9 +214,9 @@ ProjectedFormulas::ProjectedFormulas(const GaussianWeightedBasis& basis,
     return moments;
   });
   quadrature_error_ = force.error;
-  set_force_terms(basis, force.moments.cwiseProduct(norm_factors(of_force)));
+  project_force_formulas(basis, force.moments.cwiseProduct(norm_factors(of_force)));
   if (!problem.noise_factor) return;
-  const GaussianMomentQuadrature of_noise(problem, basis.sigma(), 3 * n);
+  const GaussianMomentQuadrature of_noise(problem, basis.weight_standard_deviations(), 3 * n);
   const MomentsOnRefinedQuadrature noise = refine_until_converged([&](double width) {
     return of_noise.plane_moments(
         [&](double x1, double x2) {
@@ -225,11 +225,13 @@ ProjectedFormulas::ProjectedFormulas(const GaussianWeightedBasis& basis,
         1, width);
   });
   quadrature_error_ = std::max(quadrature_error_, noise.error);
-  set_noise_terms(basis, noise.moments.cwiseProduct(norm_factors(of_noise)));
+  project_noise_formulas(basis, noise.moments.cwiseProduct(norm_factors(of_noise)));
 }
 
-void ProjectedFormulas::set_force_terms(const GaussianWeightedBasis& basis, const MatrixXd& m) {
-  const double precision = 1 / (basis.sigma().x2 * basis.sigma().x2);
+void ProjectedFormulaTerms::project_force_formulas(const GaussianWeightedBasis& basis,
+                                                   const MatrixXd& m) {
+  const double precision =
+      1 / (basis.weight_standard_deviations().x2 * basis.weight_standard_deviations().x2);
   for (Index s = 0; s < basis.size(); ++s) {
     const auto& [p, q, norm] = basis.basis_functions()[s];
     constant_[s] += precision * m(p, q + 1) / norm;
@@ -242,8 +244,10 @@ void ProjectedFormulas::set_force_terms(const GaussianWeightedBasis& basis, cons
   }
 }
 
-void ProjectedFormulas::set_noise_terms(const GaussianWeightedBasis& basis, const MatrixXd& m) {
-  const double precision = 1 / (basis.sigma().x2 * basis.sigma().x2);
+void ProjectedFormulaTerms::project_noise_formulas(const GaussianWeightedBasis& basis,
+                                                   const MatrixXd& m) {
+  const double precision =
+      1 / (basis.weight_standard_deviations().x2 * basis.weight_standard_deviations().x2);
   quadratic_.assign(basis.size(), MatrixXd::Zero(basis.size(), basis.size()));
   for (Index s = 0; s < basis.size(); ++s) {
     const auto& [p, q, norm] = basis.basis_functions()[s];
@@ -269,7 +273,7 @@ void ProjectedFormulas::set_noise_terms(const GaussianWeightedBasis& basis, cons
   }
 }
 
-VectorXd ProjectedFormulas::projection(const VectorXd& a) const {
+VectorXd ProjectedFormulaTerms::projected_formula_terms(const VectorXd& a) const {
   VectorXd result = constant_ + linear_ * a;
   for (std::size_t s = 0; s < quadratic_.size(); ++s) {
     result[static_cast<Index>(s)] += a.dot(quadratic_[s] * a);
@@ -277,7 +281,7 @@ VectorXd ProjectedFormulas::projection(const VectorXd& a) const {
   return result;
 }
 
-MatrixXd ProjectedFormulas::jacobian(const VectorXd& a) const {
+MatrixXd ProjectedFormulaTerms::jacobian(const VectorXd& a) const {
   MatrixXd result = linear_;
   for (std::size_t s = 0; s < quadratic_.size(); ++s) {
     // the matrix is symmetric

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "epc/gaussian/basis.hpp"
+#include "epc/gaussian/gaussian_weighted_basis.hpp"
 
 namespace fpkcheck::problem {
 struct Problem;
@@ -20,9 +20,9 @@ bool has_formulas(const problem::Problem& problem);
 ///     (1/p) d/dx2 [ (f - c x2 - k x1) p + delta(x1) (1 - r(|x2|)) x2 |x2| p ]
 ///         + (1/p) d^2/dx2^2 [ D (G - 1) p ],      p = exp(Q_n),
 ///
-/// where c and k are the coefficients of ResidualCoefficients, whose terms F contains besides. The
-/// term with the restitution coefficient r exists only if r is a formula. On Zhuravlev's plane f
-/// and G at x1 < 0 are -f(-x1, -x2) and G(-x1, -x2).
+/// where c and k are the coefficients of DensityEquationCoefficients, whose terms F contains
+/// besides. The term with the restitution coefficient r exists only if r is a formula. On
+/// Zhuravlev's plane f and G at x1 < 0 are -f(-x1, -x2) and G(-x1, -x2).
 ///
 /// Integration by parts moves the derivatives from the formulas, which may have kinks and jumps, to
 /// the projection function phi and the weight. With u = x2 / sigma_2^2 the projections are
@@ -33,27 +33,27 @@ bool has_formulas(const problem::Problem& problem);
 ///
 /// Therefore the weighted moments int f x1^p x2^q w and int D G x1^p x2^q w determine the
 /// projections for every Q_n.
-class ProjectedFormulas {
+class ProjectedFormulaTerms {
  public:
-  /// Largest accepted quadrature_error() of a solution.
+  /// Largest accepted projection_quadrature_error() of a solution.
   static constexpr double kQuadratureTolerance = 1e-6;
 
   /// @param damping,stiffness the coefficients c and k
   /// @pre has_formulas(problem)
-  ProjectedFormulas(const GaussianWeightedBasis& basis, const problem::Problem& problem,
-                    double damping, double stiffness);
+  ProjectedFormulaTerms(const GaussianWeightedBasis& basis, const problem::Problem& problem,
+                        double damping, double stiffness);
 
   /// Returns the terms by formulas projected on each basis function.
   /// @param scaled_coefficients coefficients of the polynomial Q_n in the basis
-  Eigen::VectorXd projection(const Eigen::VectorXd& scaled_coefficients) const;
+  Eigen::VectorXd projected_formula_terms(const Eigen::VectorXd& scaled_coefficients) const;
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& scaled_coefficients) const;
   /// Returns the largest change of a weighted moment between the last two sets of panels, relative
   /// to the largest moment; each moment is divided by the norm of its monomial.
-  double quadrature_error() const { return quadrature_error_; }
+  double projection_quadrature_error() const { return quadrature_error_; }
 
  private:
-  void set_force_terms(const GaussianWeightedBasis& basis, const Eigen::MatrixXd& moments);
-  void set_noise_terms(const GaussianWeightedBasis& basis, const Eigen::MatrixXd& moments);
+  void project_force_formulas(const GaussianWeightedBasis& basis, const Eigen::MatrixXd& moments);
+  void project_noise_formulas(const GaussianWeightedBasis& basis, const Eigen::MatrixXd& moments);
 
   // projection = constant_ + linear_ a + a^T quadratic_[s] a in row s; quadratic_ is empty without
   // a noise factor

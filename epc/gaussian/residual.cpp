@@ -55,16 +55,16 @@ ExponentPartialDerivatives odd_series_gradient(const RateTimesMoments& m,
 
 }  // namespace
 
-ResidualCoefficients residual_coefficients(const problem::Problem& problem,
-                                           DensityEquation equation,
-                                           const StandardDeviations& sigma) {
+DensityEquationCoefficients residual_coefficients(const problem::Problem& problem,
+                                                  DensityEquation equation,
+                                                  const StandardDeviations& sigma) {
   const bool higher = equation != DensityEquation::white;
   const auto& system = problem.system;
   const auto& impulses = problem.impulses;
   const bool folded = system.left_wall().has_value();
   const bool constant_restitution = !folded || system.left_wall()->has_constant_restitution();
   const numerics::Polynomial none({});
-  ResidualCoefficients f{
+  DensityEquationCoefficients f{
       .damping = 0,
       .odd_force = none,
       .even_force = none,
@@ -90,8 +90,9 @@ ResidualCoefficients residual_coefficients(const problem::Problem& problem,
   return f;
 }
 
-ResidualCoefficients homotopy_coefficients(const ResidualCoefficients& full, double fraction) {
-  ResidualCoefficients f = full;
+DensityEquationCoefficients homotopy_coefficients(const DensityEquationCoefficients& full,
+                                                  double fraction) {
+  DensityEquationCoefficients f = full;
   f.impact_loss *= fraction;
   for (const int order : {1, 3, 4}) f.rate_times_moment[order] *= fraction;
   f.jump_fraction *= fraction;
@@ -99,13 +100,13 @@ ResidualCoefficients homotopy_coefficients(const ResidualCoefficients& full, dou
   return f;
 }
 
-double smooth_residual_part(const ResidualCoefficients& f, double x1, double x2,
-                            const ExponentPartialDerivatives& q) {
+double residual_part_without_x1_sign(const DensityEquationCoefficients& f, double x1, double x2,
+                                     const ExponentPartialDerivatives& q) {
   const double drift = f.damping * x2 + f.odd_force(x1);
   return -x2 * q.q1 + drift * q.q2 + even_series(f.rate_times_moment, q) + f.damping;
 }
 
-ExponentPartialDerivatives smooth_residual_gradient(const ResidualCoefficients& f, double x1,
+ExponentPartialDerivatives smooth_residual_gradient(const DensityEquationCoefficients& f, double x1,
                                                     double x2,
                                                     const ExponentPartialDerivatives& q) {
   ExponentPartialDerivatives gradient = even_series_gradient(f.rate_times_moment, q);
@@ -114,19 +115,19 @@ ExponentPartialDerivatives smooth_residual_gradient(const ResidualCoefficients& 
   return gradient;
 }
 
-double signed_residual_part(const ResidualCoefficients& f, double x1,
-                            const ExponentPartialDerivatives& q) {
+double residual_part_odd_in_x1_sign(const DensityEquationCoefficients& f, double x1,
+                                    const ExponentPartialDerivatives& q) {
   return f.even_force(x1) * q.q2 + odd_series(f.rate_times_moment, q);
 }
 
-ExponentPartialDerivatives signed_residual_gradient(const ResidualCoefficients& f, double x1,
+ExponentPartialDerivatives signed_residual_gradient(const DensityEquationCoefficients& f, double x1,
                                                     const ExponentPartialDerivatives& q) {
   ExponentPartialDerivatives gradient = odd_series_gradient(f.rate_times_moment, q);
   gradient.q2 += f.even_force(x1);
   return gradient;
 }
 
-double residual_without_wall(const ResidualCoefficients& f, double x1, double x2,
+double residual_without_wall(const DensityEquationCoefficients& f, double x1, double x2,
                              const ExponentPartialDerivatives& q) {
   const double damping = f.damping_polynomial(x1), square = f.rayleigh * x2 * x2;
   const double drift = (damping + square) * x2 + f.odd_force(x1);
@@ -134,8 +135,8 @@ double residual_without_wall(const ResidualCoefficients& f, double x1, double x2
          damping + 3 * square;
 }
 
-ExponentPartialDerivatives residual_without_wall_gradient(const ResidualCoefficients& f, double x1,
-                                                          double x2,
+ExponentPartialDerivatives residual_without_wall_gradient(const DensityEquationCoefficients& f,
+                                                          double x1, double x2,
                                                           const ExponentPartialDerivatives& q) {
   ExponentPartialDerivatives gradient = kramers_moyal_residual_gradient(f.rate_times_moment, 1, q);
   gradient.q1 -= x2;
@@ -159,12 +160,13 @@ ExponentPartialDerivatives kramers_moyal_residual_gradient(
           .q2222 = even.q2222};
 }
 
-double impact_residual_part(const ResidualCoefficients& f, double x2,
+double impact_residual_part(const DensityEquationCoefficients& f, double x2,
                             const ExponentPartialDerivatives& q) {
   return f.impact_loss * (x2 * q.q2 + 2);
 }
 
-ExponentPartialDerivatives impact_residual_gradient(const ResidualCoefficients& f, double x2) {
+ExponentPartialDerivatives impact_residual_gradient(const DensityEquationCoefficients& f,
+                                                    double x2) {
   return {.q1 = 0, .q2 = f.impact_loss * x2, .q22 = 0, .q222 = 0, .q2222 = 0};
 }
 

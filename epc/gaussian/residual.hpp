@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "epc/form/polynomial.hpp"
+#include "epc/form/exponent_polynomial.hpp"
 #include "numerics/polynomials/polynomial.hpp"
-#include "problem/model.hpp"
+#include "problem/equation_and_impact_condition.hpp"
 
 namespace fpkcheck::problem {
 struct Problem;
@@ -16,11 +16,11 @@ namespace fpkcheck::epc::gaussian {
 using RateTimesMoments = std::array<double, 5>;
 
 /// Coefficients of the residual F of paper (22). On the (z, z') plane the spring force g becomes
-/// sgn(x1) g(|x1|): odd powers of g are unchanged, and even powers are multiplied by sgn(x1).
-/// For a problem with formulas (has_formulas()) force and damping are the linear terms whose
-/// density under white noise is the Gaussian weight, and ProjectedFormulas projects the remaining
+/// sgn(x1) g(|x1|): odd powers of g are unchanged, and even powers are multiplied by sgn(x1). For a
+/// problem with formulas (has_formulas()) force and damping are the linear terms whose density
+/// under white noise is the Gaussian weight, and ProjectedFormulaTerms projects the remaining
 /// terms.
-struct ResidualCoefficients {
+struct DensityEquationCoefficients {
   double damping;
   numerics::Polynomial odd_force;
   numerics::Polynomial even_force;
@@ -39,15 +39,16 @@ struct ResidualCoefficients {
 
 /// @param equation white (without E[Y^3] and E[Y^4]), km4 or kf
 /// @param sigma deviations of the Gaussian weights; needed for a problem with formulas
-ResidualCoefficients residual_coefficients(const problem::Problem& problem,
-                                           problem::DensityEquation equation,
-                                           const StandardDeviations& sigma = {});
+DensityEquationCoefficients residual_coefficients(const problem::Problem& problem,
+                                                  problem::DensityEquation equation,
+                                                  const StandardDeviations& sigma = {});
 
 /// Returns coefficients between white noise with elastic impacts (fraction 0) and the full problem
 /// (fraction 1): 1-r, lambda E[Y], lambda E[Y^3], lambda E[Y^4], jump_fraction and formula_fraction
 /// are multiplied by the fraction. At fraction 0 the exact density is C exp( -(c/D2)(x2^2/2 +
 /// U(|x1|)) ), with the damping c and the potential U.
-ResidualCoefficients homotopy_coefficients(const ResidualCoefficients& full, double fraction);
+DensityEquationCoefficients homotopy_coefficients(const DensityEquationCoefficients& full,
+                                                  double fraction);
 
 /// Derivatives of the polynomial Q_n at a point: q1 is the first derivative in x1, q22 the second
 /// derivative in x2.
@@ -65,25 +66,25 @@ struct ExponentPartialDerivatives {
 /// Returns the part of F without a discontinuous factor,
 /// -x2 Q_1 + [c x2 + g_odd(x1)] Q_2 + lambda E[Y^2]/2! [Q_22 + Q_2^2]
 /// + lambda E[Y^4]/4! [Q_2222 + 4 Q_2 Q_222 + 3 Q_22^2 + 6 Q_2^2 Q_22 + Q_2^4] + c
-double smooth_residual_part(const ResidualCoefficients& f, double x1, double x2,
-                            const ExponentPartialDerivatives& q);
-ExponentPartialDerivatives smooth_residual_gradient(const ResidualCoefficients& f, double x1,
+double residual_part_without_x1_sign(const DensityEquationCoefficients& f, double x1, double x2,
+                                     const ExponentPartialDerivatives& q);
+ExponentPartialDerivatives smooth_residual_gradient(const DensityEquationCoefficients& f, double x1,
                                                     double x2, const ExponentPartialDerivatives& q);
 
 /// Returns the part of F with the factor sgn(x1),
 /// [g_even(x1) - lambda E[Y]] Q_2 - lambda E[Y^3]/3! [Q_222 + 3 Q_2 Q_22 + Q_2^3]
-double signed_residual_part(const ResidualCoefficients& f, double x1,
-                            const ExponentPartialDerivatives& q);
-ExponentPartialDerivatives signed_residual_gradient(const ResidualCoefficients& f, double x1,
+double residual_part_odd_in_x1_sign(const DensityEquationCoefficients& f, double x1,
+                                    const ExponentPartialDerivatives& q);
+ExponentPartialDerivatives signed_residual_gradient(const DensityEquationCoefficients& f, double x1,
                                                     const ExponentPartialDerivatives& q);
 
 /// Returns the residual F without a wall, for any damping force f,
 /// -x2 Q_1 + [f + g - lambda E[Y]] Q_2 + f_v + (lambda E[Y^2] + 2D)/2! [Q_22 + Q_2^2] - .., with
 /// the higher terms of the smooth and the signed part
-double residual_without_wall(const ResidualCoefficients& f, double x1, double x2,
+double residual_without_wall(const DensityEquationCoefficients& f, double x1, double x2,
                              const ExponentPartialDerivatives& q);
-ExponentPartialDerivatives residual_without_wall_gradient(const ResidualCoefficients& f, double x1,
-                                                          double x2,
+ExponentPartialDerivatives residual_without_wall_gradient(const DensityEquationCoefficients& f,
+                                                          double x1, double x2,
                                                           const ExponentPartialDerivatives& q);
 
 /// Returns the truncated Kramers-Moyal series applied to exp(Q), divided by exp(Q).
@@ -95,8 +96,9 @@ ExponentPartialDerivatives kramers_moyal_residual_gradient(
 
 /// Returns the part of the residual F with the factor delta(x1) |x2|, which represents the impacts:
 /// (1-r) [x2 Q_2 + 2]
-double impact_residual_part(const ResidualCoefficients& f, double x2,
+double impact_residual_part(const DensityEquationCoefficients& f, double x2,
                             const ExponentPartialDerivatives& q);
-ExponentPartialDerivatives impact_residual_gradient(const ResidualCoefficients& f, double x2);
+ExponentPartialDerivatives impact_residual_gradient(const DensityEquationCoefficients& f,
+                                                    double x2);
 
 }  // namespace fpkcheck::epc::gaussian

@@ -49,14 +49,14 @@ MonomialSet required_monomials(const problem::Problem& problem, const ClosureOpt
 
 ProjectedEquations make_projected_equations(const problem::Problem& problem,
                                             const ClosureOptions& options,
-                                            const ResidualCoefficients& coefficients,
+                                            const DensityEquationCoefficients& coefficients,
                                             const StandardDeviations& sigma) {
   const GaussianWeightedBasis basis(options.order, required_monomials(problem, options), sigma);
-  std::optional<ProjectedFormulas> formulas;
+  std::optional<ProjectedFormulaTerms> formulas;
   if (has_formulas(problem)) {
     formulas.emplace(basis, problem, coefficients.damping, coefficients.odd_force.coefficient(1));
   }
-  if (effective_equation(options) == DensityEquation::kf) {
+  if (closure_density_equation(options) == DensityEquation::kf) {
     return ProjectedEquations(basis, problem.impulses, JumpIntegralRemainder::kRadius,
                               std::move(formulas));
   }
@@ -65,22 +65,23 @@ ProjectedEquations make_projected_equations(const problem::Problem& problem,
 
 std::string unresolved_formulas_reason(const ProjectedEquations& projection) {
   const auto& formulas = projection.formulas();
-  if (!formulas || formulas->quadrature_error() <= ProjectedFormulas::kQuadratureTolerance) {
+  if (!formulas ||
+      formulas->projection_quadrature_error() <= ProjectedFormulaTerms::kQuadratureTolerance) {
     return "";
   }
   return fmt::format(
       "narrower panels change the weighted moments of the formulas by {:.1e} of the largest "
       "moment (limit {:.0e}): the formulas are too steep; use fd or mcs",
-      formulas->quadrature_error(), ProjectedFormulas::kQuadratureTolerance);
+      formulas->projection_quadrature_error(), ProjectedFormulaTerms::kQuadratureTolerance);
 }
 
 namespace {
 
 std::string describe_branch_end(const SolutionBranch& branch) {
   switch (branch.end) {
-    case SolutionBranchEnd::white_noise:
+    case SolutionBranchEndReason::white_noise:
       return "turns back to another root of the white-noise equations";
-    case SolutionBranchEnd::far_away:
+    case SolutionBranchEndReason::far_away:
       return "diverges after a fold";
     default:
       break;
@@ -95,13 +96,13 @@ class GaussianRootSearch {
                      const StandardDeviations& sigma)
       : problem_(problem),
         options_(options),
-        coefficients_(residual_coefficients(problem, effective_equation(options), sigma)),
+        coefficients_(residual_coefficients(problem, closure_density_equation(options), sigma)),
         projection_(make_projected_equations(problem, options, coefficients_, sigma)),
         gaussian_coefficients_(projection_.basis().scaled_coefficients(
-            gaussian_exponent(projection_.basis().sigma()))) {}
+            gaussian_exponent(projection_.basis().weight_standard_deviations()))) {}
 
-  RootSearchResult find_closure_root() {
-    search_.sigma = projection_.basis().sigma();
+  ClosureRootSearchResult find_closure_root() {
+    search_.sigma = projection_.basis().weight_standard_deviations();
     search_.failure = unresolved_formulas_reason(projection_);
     if (!search_.failure.empty()) return search_;
     if (options_.order > 2) search_.previous = find_previous_root();
@@ -118,7 +119,7 @@ class GaussianRootSearch {
       return search_;
     }
     search_.condition = condition_number_at_root();
-    if (effective_equation(options_) == DensityEquation::kf) check_disc_sensitivity();
+    if (closure_density_equation(options_) == DensityEquation::kf) check_disc_sensitivity();
     return search_;
   }
 
@@ -126,7 +127,7 @@ class GaussianRootSearch {
   std::optional<ExponentPolynomial> find_previous_root() const {
     ClosureOptions lower = options_;
     lower.order -= 2;
-    return GaussianRootSearch(problem_, lower, projection_.basis().sigma())
+    return GaussianRootSearch(problem_, lower, projection_.basis().weight_standard_deviations())
         .find_closure_root()
         .root;
   }
@@ -150,8 +151,8 @@ class GaussianRootSearch {
     if (!result.converged) return false;
     const ExponentPolynomial root = projection_.basis().exponent_polynomial(result.a);
     const bool settled = options_.order <= 6 ||
-                         DensitySupport(root, projection_.basis().sigma()).edge_density_ratio() <
-                             kMaxSupportEdgeDensity;
+                         DensitySupport(root, projection_.basis().weight_standard_deviations())
+                                 .support_edge_to_peak_density_ratio() < kMaxSupportEdgeDensity;
     if (settled || !search_.root) search_.root = root;
     return settled;
   }
@@ -206,16 +207,17 @@ class GaussianRootSearch {
 
   const problem::Problem& problem_;
   const ClosureOptions& options_;
-  ResidualCoefficients coefficients_;
+  DensityEquationCoefficients coefficients_;
   ProjectedEquations projection_;
   Eigen::VectorXd gaussian_coefficients_;
-  RootSearchResult search_;
+  ClosureRootSearchResult search_;
   int attempts_ = 0;
 };
 
 }  // namespace
 
-RootSearchResult find_closure_root(const problem::Problem& problem, const ClosureOptions& options) {
+ClosureRootSearchResult find_closure_root(const problem::Problem& problem,
+                                          const ClosureOptions& options) {
   return GaussianRootSearch(problem, options, gaussian_weight_deviations(problem))
       .find_closure_root();
 }

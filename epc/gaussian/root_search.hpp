@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "epc/form/polynomial.hpp"
+#include "epc/form/exponent_polynomial.hpp"
 #include "epc/gaussian/projected_equations.hpp"
 #include "epc/options.hpp"
 #include "epc/summary.hpp"
@@ -14,7 +14,7 @@ struct Problem;
 
 namespace fpkcheck::epc::gaussian {
 
-struct RootSearchResult {
+struct ClosureRootSearchResult {
   std::optional<ExponentPolynomial> root;
   StandardDeviations sigma = {};  ///< deviations of the Gaussian weights
   double residual = 0;   ///< residual of the root, or the smallest residual of all iterates
@@ -34,7 +34,7 @@ struct RootSearchResult {
 /// @param sigma deviations of the Gaussian weights
 ProjectedEquations make_projected_equations(const problem::Problem& problem,
                                             const ClosureOptions& options,
-                                            const ResidualCoefficients& coefficients,
+                                            const DensityEquationCoefficients& coefficients,
                                             const StandardDeviations& sigma);
 
 /// Returns the reason why the quadrature does not resolve the formulas of the projected equations.
@@ -49,6 +49,7 @@ std::string unresolved_formulas_reason(const ProjectedEquations& projection);
 ///  3. damped Newton steps from the root of closure order n-2;
 ///  4. the branch from the exact density under white noise with elastic impacts;
 ///  5. Newton's homotopy from the root of closure order n-2.
-RootSearchResult find_closure_root(const problem::Problem& problem, const ClosureOptions& options);
+ClosureRootSearchResult find_closure_root(const problem::Problem& problem,
+                                          const ClosureOptions& options);
 
 }  // namespace fpkcheck::epc::gaussian

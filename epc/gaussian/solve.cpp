@@ -3,10 +3,10 @@
 #include <cmath>
 #include <string>
 
-#include "epc/form/store_density.hpp"
+#include "epc/form/closure_density_storage.hpp"
 #include "epc/formulations.hpp"
-#include "epc/gaussian/basis.hpp"
 #include "epc/gaussian/density_support.hpp"
+#include "epc/gaussian/gaussian_weighted_basis.hpp"
 #include "epc/gaussian/root_search.hpp"
 #include "epc/summary.hpp"
 
@@ -22,15 +22,17 @@ int first_comparable_order(const problem::Problem& problem) {
   return problem.system.left_wall() ? 2 : 4;
 }
 
-std::string inadmissible_reason(const DensitySupport& support, const LeadingFormOfExponent& form,
+std::string inadmissible_reason(const DensitySupport& support,
+                                const ExponentBehaviourAtInfinity& form,
                                 const transform::Solution& solution,
                                 const std::optional<double>& distance_to_density_before) {
-  if (!(support.edge_density_ratio() < kMaxSupportEdgeDensity)) {
+  if (!(support.support_edge_to_peak_density_ratio() < kMaxSupportEdgeDensity)) {
     return fmt::format(
         "the density is {:.1e} of its peak on the edge of its support (limit {:.0e}); the support "
         "cuts off about {:.1e} of the probability, {}",
-        support.edge_density_ratio(), kMaxSupportEdgeDensity, support.cut_off_probability(),
-        describe_leading_form(form, "(x1/sigma1, x2/sigma2)"));
+        support.support_edge_to_peak_density_ratio(), kMaxSupportEdgeDensity,
+        support.probability_outside_support(),
+        describe_exponent_at_infinity(form, "(x1/sigma1, x2/sigma2)"));
   }
   if (!(std::abs(solution.mass - 1) <= kClosureMassTolerance)) {
     return fmt::format("the mass of the density in the box around its support is {:.6f}, not 1",
@@ -69,7 +71,7 @@ void assess_closure_root(const problem::Problem& problem, const ExponentPolynomi
                          const std::optional<ExponentPolynomial>& previous, ClosureResult& result) {
   const bool has_wall = problem.system.left_wall().has_value();
   const DensitySupport support(q, sigma);
-  const LeadingFormOfExponent form = leading_form(q, sigma);
+  const ExponentBehaviourAtInfinity form = leading_form(q, sigma);
   auto& [solution, summary] = result;
   summary.coefficients = q.terms();
   summary.leading_form = form;
@@ -77,8 +79,8 @@ void assess_closure_root(const problem::Problem& problem, const ExponentPolynomi
                      .greatest_radius = support.largest_support_radius(),
                      .y_max = support.x1_max(),
                      .v_max = support.x2_max(),
-                     .edge_density = support.edge_density_ratio(),
-                     .cut_off = support.cut_off_probability()};
+                     .edge_density = support.support_edge_to_peak_density_ratio(),
+                     .cut_off = support.probability_outside_support()};
   summary.frame = {
       .variables = has_wall ? ExponentCoordinates::plane : ExponentCoordinates::physical,
       .coordinates = problem.frame,
@@ -98,7 +100,7 @@ void assess_closure_root(const problem::Problem& problem, const ExponentPolynomi
     summary.distance_to_previous = summed_l1_distance(
         marginals,
         transform::marginals_at_quadrature_points(before_density, density.y_max, density.v_max));
-    if (before.edge_density_ratio() < kMaxSupportEdgeDensity &&
+    if (before.support_edge_to_peak_density_ratio() < kMaxSupportEdgeDensity &&
         previous->degree() >= first_comparable_order(problem)) {
       distance_to_density_before = summary.distance_to_previous;
     }
@@ -112,7 +114,7 @@ void assess_closure_root(const problem::Problem& problem, const ExponentPolynomi
 }  // namespace
 
 ClosureResult solve_closure(const problem::Problem& problem, const ClosureOptions& options) {
-  const RootSearchResult search = find_closure_root(problem, options);
+  const ClosureRootSearchResult search = find_closure_root(problem, options);
   ClosureResult result;
   result.summary.iterations = search.iterations;
   result.summary.residual = search.residual;

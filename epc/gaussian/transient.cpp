@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/process/stopwatch.hpp"
-#include "epc/form/store_density.hpp"
+#include "epc/form/closure_density_storage.hpp"
 #include "epc/formulations.hpp"
 #include "epc/gaussian/density_support.hpp"
 #include "epc/gaussian/root_search.hpp"
@@ -32,13 +32,13 @@ constexpr double kTimeTolerance = 1e-9;
 /// Means of the basis functions under the density C exp(Q_n), by quadrature along rays from the
 /// origin of the scaled plane. A ray ends where Q_n rises again after exp(Q_n) has fallen below
 /// kMaxSupportEdgeDensity of its peak, as in DensitySupport.
-class DensityMeans {
+class ClosureDensityMeans {
  public:
   static constexpr int kDirections = 96, kRadialPanels = 10;
   static constexpr double kRadius = 8;  // in deviations of the weight and of the initial density
 
-  DensityMeans(const GaussianWeightedBasis& basis, const problem::InitialGaussian& start) {
-    const StandardDeviations& sigma = basis.sigma();
+  ClosureDensityMeans(const GaussianWeightedBasis& basis, const problem::InitialGaussian& start) {
+    const StandardDeviations& sigma = basis.weight_standard_deviations();
     const double extent = std::max(
         {1.0,
          start.displacement_deviation / sigma.x1 + std::abs(start.mean_displacement) / sigma.x1,
@@ -86,14 +86,14 @@ class DensityMeans {
     const VectorXd mass = weights_.array() * (exponent.array() - exponent.maxCoeff()).exp();
     return mass / mass.sum();
   }
-  VectorXd basis_means(const VectorXd& probabilities) const {
+  VectorXd basis_function_means(const VectorXd& probabilities) const {
     return values_.transpose() * probabilities;
   }
   /// Returns the covariances of all basis functions with the function sum_k direction_k phi_k.
   VectorXd covariances(const VectorXd& probabilities, const VectorXd& direction) const {
     const VectorXd function = values_ * direction;
     return values_.transpose() * probabilities.cwiseProduct(function) -
-           basis_means(probabilities) * probabilities.dot(function);
+           basis_function_means(probabilities) * probabilities.dot(function);
   }
 
  private:
@@ -107,34 +107,35 @@ class DensityMeans {
 /// The equations M(a) da/dt = R(a) of solve_evolution() in formulations.hpp. The matrix M = G - m
 /// E_p[phi]^T, with the Gram matrix G and the means m under the weights, is a rank-one change of G
 /// (formula of Sherman and Morrison).
-class ProjectedRates {
+class ClosureCoefficientRates {
  public:
-  ProjectedRates(const ProjectedEquations& projection, const ResidualCoefficients& coefficients,
-                 const problem::InitialGaussian& start)
+  ClosureCoefficientRates(const ProjectedEquations& projection,
+                          const DensityEquationCoefficients& coefficients,
+                          const problem::InitialGaussian& start)
       : projection_(projection),
         coefficients_(coefficients),
         means_(projection.basis(), start),
         gram_(projection.basis().weighted_gram_matrix()),
-        constant_(gram_.solve(projection.basis().weighted_means())) {}
+        constant_(gram_.solve(projection.basis().basis_function_weighted_means())) {}
 
-  const DensityMeans& means() const { return means_; }
+  const ClosureDensityMeans& means() const { return means_; }
 
   /// Returns da/dt; empty if M is numerically singular.
   std::optional<VectorXd> rate(const VectorXd& a) const {
     return solve_with_mass_matrix(projection_.residual(coefficients_, a),
-                                  means_.basis_means(means_.probabilities(a)));
+                                  means_.basis_function_means(means_.probabilities(a)));
   }
 
   /// Returns the derivative of da/dt with respect to a; empty if M is numerically singular.
   std::optional<MatrixXd> jacobian(const VectorXd& a) const {
     const VectorXd probabilities = means_.probabilities(a);
-    const VectorXd density_means = means_.basis_means(probabilities);
+    const VectorXd density_means = means_.basis_function_means(probabilities);
     const auto rate = solve_with_mass_matrix(projection_.residual(coefficients_, a), density_means);
     if (!rate) return std::nullopt;
     // M da' = dR - dM a', and dM a' = -m (Cov_p(phi, phi . a') . da)
-    const MatrixXd right_hand_side =
-        projection_.jacobian(coefficients_, a) +
-        projection_.basis().weighted_means() * means_.covariances(probabilities, *rate).transpose();
+    const MatrixXd right_hand_side = projection_.jacobian(coefficients_, a) +
+                                     projection_.basis().basis_function_weighted_means() *
+                                         means_.covariances(probabilities, *rate).transpose();
     return solve_with_mass_matrix(right_hand_side, density_means);
   }
 
@@ -155,8 +156,8 @@ class ProjectedRates {
   }
 
   const ProjectedEquations& projection_;
-  const ResidualCoefficients& coefficients_;
-  DensityMeans means_;
+  const DensityEquationCoefficients& coefficients_;
+  ClosureDensityMeans means_;
   Eigen::LLT<MatrixXd> gram_;
   VectorXd constant_;  // coefficients of the best approximation of the constant 1
 };
@@ -182,12 +183,12 @@ void add_snapshot(const problem::Problem& problem, const ExponentPolynomial& q,
   evolution.snapshots.push_back(
       {.time = time, .density = density, .moments = physical_moments(problem.frame, marginals)});
   if (evolution.status != Status::ok) return;
-  if (!(support.edge_density_ratio() < kMaxSupportEdgeDensity)) {
+  if (!(support.support_edge_to_peak_density_ratio() < kMaxSupportEdgeDensity)) {
     evolution.reason = fmt::format(
         "at t = {:.4g} the density is {:.1e} of its peak on the edge of its support (limit "
         "{:.0e}), {}",
-        time, support.edge_density_ratio(), kMaxSupportEdgeDensity,
-        describe_leading_form(leading_form(q, sigma), "(x1/sigma1, x2/sigma2)"));
+        time, support.support_edge_to_peak_density_ratio(), kMaxSupportEdgeDensity,
+        describe_exponent_at_infinity(leading_form(q, sigma), "(x1/sigma1, x2/sigma2)"));
   } else if (!(std::abs(marginals.mass - 1) <= kClosureMassTolerance)) {
     evolution.reason =
         fmt::format("at t = {:.4g} the mass of the density is {:.6f}, not 1", time, marginals.mass);
@@ -201,14 +202,14 @@ ClosureEvolution solve_evolution(const problem::Problem& problem, const ClosureO
                                  const EvolutionRequest& request) {
   const base::Deadline deadline(options.max_seconds);
   const StandardDeviations sigma = gaussian_weight_deviations(problem);
-  const ResidualCoefficients coefficients =
-      residual_coefficients(problem, effective_equation(options), sigma);
+  const DensityEquationCoefficients coefficients =
+      residual_coefficients(problem, closure_density_equation(options), sigma);
   ClosureOptions with_means = options;
   if (request.start.mean_displacement != 0 || request.start.mean_velocity != 0)
     with_means.monomials = MonomialSet::general;
   const ProjectedEquations projection =
       make_projected_equations(problem, with_means, coefficients, sigma);
-  const ProjectedRates rates(projection, coefficients, request.start);
+  const ClosureCoefficientRates rates(projection, coefficients, request.start);
   ClosureEvolution evolution;
   evolution.quadrature = rates.means().point_counts_text();
   const auto fail = [&](const std::string& reason) {
@@ -235,7 +236,7 @@ ClosureEvolution solve_evolution(const problem::Problem& problem, const ClosureO
   numerics::BdfIntegrator integrator(
       {.rate =
            [&](double, const VectorXd& a, Eigen::Ref<VectorXd> rate) {
-             return !deadline.has_passed() && a.allFinite() &&
+             return !deadline.has_deadline_passed() && a.allFinite() &&
                     store(rates.rate(a), Eigen::Ref<VectorXd>(rate));
            },
        .jacobian =
@@ -248,7 +249,7 @@ ClosureEvolution solve_evolution(const problem::Problem& problem, const ClosureO
        .stop_time = request.times.back()});
   for (const double time : request.times) {
     if (time > 0 && !integrator.advance_to_time(time)) {
-      fail(deadline.has_passed()
+      fail(deadline.has_deadline_passed()
                ? fmt::format("t = {:.4g} not reached in {:g} s (max_seconds)", time,
                              options.max_seconds)
                : fmt::format("the coefficients of Q_n diverge before t = {:.4g}", time));

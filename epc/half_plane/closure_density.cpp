@@ -8,13 +8,13 @@ namespace fpkcheck::epc::half_plane {
 
 double support_energy(double level, DensityTailTreatment tail) {
   return tail == DensityTailTreatment::confined
-             ? level * ExponentConfinement::support_to_level_ratio()
+             ? level * ExponentConfinementTerm::support_to_level_ratio()
              : level;
 }
 
-ExponentConfinement make_exponent_confinement(double level, DensityTailTreatment tail) {
-  return tail == DensityTailTreatment::confined ? ExponentConfinement{level}
-                                                : ExponentConfinement{};
+ExponentConfinementTerm make_exponent_confinement(double level, DensityTailTreatment tail) {
+  return tail == DensityTailTreatment::confined ? ExponentConfinementTerm{level}
+                                                : ExponentConfinementTerm{};
 }
 
 std::pair<double, double> scaled_radius_range(const DensityContour& contour,

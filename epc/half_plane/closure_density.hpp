@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "epc/form/polynomial.hpp"
+#include "epc/form/exponent_polynomial.hpp"
 #include "epc/options.hpp"
 
 namespace fpkcheck::epc::half_plane {
@@ -14,7 +14,7 @@ namespace fpkcheck::epc::half_plane {
 /// confinement term is negligible in the bulk of the density, and beyond the confinement level
 /// steeper than every polynomial Q_n. Therefore C exp(Q_n - (h/level)^kPower) is a density on the
 /// whole half-plane, and satisfies the moment equations without a cut-off of the density.
-struct ExponentConfinement {
+struct ExponentConfinementTerm {
   static constexpr int kPower = 16;
   /// The closure density is neglected at energies where the confinement term is below -kNegligible.
   static constexpr double kNegligible = 45;
@@ -33,7 +33,7 @@ struct ExponentConfinement {
 double support_energy(double level, DensityTailTreatment tail);
 
 /// Returns the confinement with the given level; without confinement for DensityTailTreatment::cut.
-ExponentConfinement make_exponent_confinement(double level, DensityTailTreatment tail);
+ExponentConfinementTerm make_exponent_confinement(double level, DensityTailTreatment tail);
 
 /// Density C exp(Q_n + confinement) of a closure, with its scales and limits.
 struct ClosureDensity {

@@ -11,7 +11,7 @@ using Eigen::VectorXd;
 
 GalerkinSystem::DensityAtPoints GalerkinSystem::evaluate_density(const VectorXd& a) const {
   const ArrayXd exponent =
-      tables_.basis_functions.linear_combination(a) + tables_.confinement_terms;
+      tables_.basis_functions.basis_function_combination(a) + tables_.confinement_terms;
   const ArrayXd wall_exponent = tables_.wall_basis_functions * a + tables_.wall_confinement_terms;
   DensityAtPoints density;
   density.peak = exponent.maxCoeff();
@@ -25,15 +25,15 @@ GalerkinSystem::DensityAtPoints GalerkinSystem::evaluate_density(const VectorXd&
   return density;
 }
 
-VectorXd GalerkinSystem::basis_means(const VectorXd& mass) const {
-  return tables_.basis_functions.means(mass);
+VectorXd GalerkinSystem::basis_function_means(const VectorXd& mass) const {
+  return tables_.basis_functions.basis_means_under_mass(mass);
 }
 
 VectorXd GalerkinSystem::residual(const DensityAtPoints& density, std::optional<double> t) const {
   VectorXd rate = tables_.generator_terms.transpose() * density.mass +
                   tables_.impact_terms.transpose() * density.wall_mass;
   if (!t) return rate;
-  for (const TimeDependentTerm& term : tables_.time_dependent_terms) {
+  for (const TimeDependentGeneratorTerm& term : tables_.time_dependent_terms) {
     rate += term.factor(*t) * (term.values.transpose() * density.mass);
   }
   return rate;
@@ -42,32 +42,36 @@ VectorXd GalerkinSystem::residual(const DensityAtPoints& density, std::optional<
 MatrixXd GalerkinSystem::jacobian(const DensityAtPoints& density, std::optional<double> t) const {
   // d p / d a_k = p (phi_k - E[phi_k]) at the interior points and at the points on the wall. The
   // part with E[phi_k] is the residual times E[phi_k], which vanishes at a root.
-  const BasisAtPoints& phi = tables_.basis_functions;
-  MatrixXd result = phi.mean_products(tables_.generator_terms, density.mass);
+  const BasisValuesAtPoints& phi = tables_.basis_functions;
+  MatrixXd result = phi.basis_mean_products(tables_.generator_terms, density.mass);
   const MatrixXd wall_change = density.wall_mass.asDiagonal() * tables_.wall_basis_functions;
   result.noalias() += tables_.impact_terms.transpose() * wall_change;
   if (t) {
-    for (const TimeDependentTerm& term : tables_.time_dependent_terms) {
-      result += term.factor(*t) * phi.mean_products(term.values, density.mass);
+    for (const TimeDependentGeneratorTerm& term : tables_.time_dependent_terms) {
+      result += term.factor(*t) * phi.basis_mean_products(term.values, density.mass);
     }
   }
-  result.noalias() -= residual(density, t) * phi.means(density.mass).transpose();
+  result.noalias() -= residual(density, t) * phi.basis_means_under_mass(density.mass).transpose();
   return result;
 }
 
 MatrixXd GalerkinSystem::covariance(const DensityAtPoints& density) const {
-  const MatrixXd moments = tables_.basis_functions.second_moments(density.mass);
+  const MatrixXd moments = tables_.basis_functions.basis_second_moments(density.mass);
   const VectorXd mean = moments.col(0).tail(size());
   return moments.bottomRightCorner(size(), size()) - mean * mean.transpose();
 }
 
-VectorXd GalerkinSystem::fit_coefficients(const VectorXd& exponent, const VectorXd& mass) const {
+VectorXd GalerkinSystem::fit_exponent_coefficients(const VectorXd& exponent,
+                                                   const VectorXd& mass) const {
   // The first function, 1, represents the constant term of the exponent, since Q_n has no constant
   // term.
   const VectorXd weighted = mass.cwiseProduct(exponent);
   VectorXd right_hand_side(size() + 1);
-  right_hand_side << weighted.sum(), basis_means(weighted);
-  return tables_.basis_functions.second_moments(mass).ldlt().solve(right_hand_side).tail(size());
+  right_hand_side << weighted.sum(), basis_function_means(weighted);
+  return tables_.basis_functions.basis_second_moments(mass)
+      .ldlt()
+      .solve(right_hand_side)
+      .tail(size());
 }
 
 ClosureDensity make_closure_density(const ClosureEquations& equations, const VectorXd& a,

@@ -6,27 +6,27 @@
 #include <utility>
 #include <vector>
 
-#include "epc/half_plane/basis.hpp"
 #include "epc/half_plane/closure_density.hpp"
+#include "epc/half_plane/half_plane_basis.hpp"
 
 namespace fpkcheck::epc::half_plane {
 
 /// Part of L*phi_k at the quadrature points that an excitation that changes in time multiplies by
-/// a factor, in addition to GalerkinTables::generator_terms.
-struct TimeDependentTerm {
+/// a factor, in addition to GalerkinQuadratureTables::generator_terms.
+struct TimeDependentGeneratorTerm {
   std::function<double(double t)> factor;
   Eigen::MatrixXd values;
 };
 
 /// Values of the basis functions phi_k, and of the generator L* of the impact process applied to
 /// phi_k, at quadrature points on the half-plane y >= 0.
-struct GalerkinTables {
+struct GalerkinQuadratureTables {
   Eigen::VectorXd weight;
-  BasisAtPoints basis_functions;
+  BasisValuesAtPoints basis_functions;
   /// L*phi_k, the mean rate of change of phi_k between impacts, of shape (points, basis functions)
   Eigen::MatrixXd generator_terms;
   /// Terms of L*phi_k whose factors change in time; empty for a constant excitation
-  std::vector<TimeDependentTerm> time_dependent_terms = {};
+  std::vector<TimeDependentGeneratorTerm> time_dependent_terms = {};
   Eigen::VectorXd confinement_terms;
 
   /// Quadrature weights of the points on the wall before an impact, y = 0 and v < 0
@@ -45,7 +45,7 @@ struct GalerkinTables {
 /// the state has the density p.
 class GalerkinSystem {
  public:
-  explicit GalerkinSystem(GalerkinTables tables) : tables_(std::move(tables)) {}
+  explicit GalerkinSystem(GalerkinQuadratureTables tables) : tables_(std::move(tables)) {}
 
   Eigen::Index size() const { return tables_.basis_functions.size(); }
 
@@ -61,7 +61,7 @@ class GalerkinSystem {
 
   /// Returns the means E[phi] of the basis functions.
   /// @param mass probability at each quadrature point
-  Eigen::VectorXd basis_means(const Eigen::VectorXd& mass) const;
+  Eigen::VectorXd basis_function_means(const Eigen::VectorXd& mass) const;
   /// Returns the residual R_phi of every basis function phi.
   /// @param t time, for an excitation that changes in time; absent for the constant excitation
   Eigen::VectorXd residual(const DensityAtPoints& density, std::optional<double> t = {}) const;
@@ -77,17 +77,17 @@ class GalerkinSystem {
   /// Returns the coefficients of the least-squares fit of the exponent Q_n to given values.
   /// @param exponent values at the quadrature points
   /// @param mass weights of the quadrature points in the fit
-  Eigen::VectorXd fit_coefficients(const Eigen::VectorXd& exponent,
-                                   const Eigen::VectorXd& mass) const;
+  Eigen::VectorXd fit_exponent_coefficients(const Eigen::VectorXd& exponent,
+                                            const Eigen::VectorXd& mass) const;
 
  private:
-  GalerkinTables tables_;
+  GalerkinQuadratureTables tables_;
 };
 
 /// Galerkin equations together with the basis and the quadrature points.
 class ClosureEquations : public GalerkinSystem {
  public:
-  ClosureEquations(GalerkinTables tables, OrthonormalBasis basis, QuadraturePoints points)
+  ClosureEquations(GalerkinQuadratureTables tables, OrthonormalBasis basis, QuadraturePoints points)
       : GalerkinSystem(std::move(tables)), basis_(std::move(basis)), points_(std::move(points)) {}
 
   const OrthonormalBasis& basis() const { return basis_; }

@@ -15,7 +15,7 @@ namespace fpkcheck::epc::half_plane {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-double rate_of_change_unit(const problem::Problem& problem, double temperature) {
+double relaxation_rate_unit(const problem::Problem& problem, double temperature) {
   assert(temperature > 0);
   constexpr double kRounding = 1e-4;
   return std::max(total_excitation_intensity(problem) / (2 * temperature),
@@ -62,7 +62,7 @@ using Eigen::VectorXd;
 constexpr double kLongestStep = 2;
 constexpr double kLeastStepFraction = 1e-6;
 
-struct NewtonEquations {
+struct ClosureNewtonEquations {
   struct Iterate {
     VectorXd a;
     GalerkinSystem::DensityAtPoints density;
@@ -112,7 +112,7 @@ struct NewtonEquations {
 
 numerics::NewtonResult solve_by_newton(const GalerkinSystem& equations, const VectorXd& start,
                                        double unit, const numerics::NewtonOptions& options) {
-  return numerics::solve_by_newton(NewtonEquations{equations, unit}, start, options);
+  return numerics::solve_by_newton(ClosureNewtonEquations{equations, unit}, start, options);
 }
 
 numerics::SolutionCurve follow_homotopy(const GalerkinSystem& equations, const VectorXd& start,

@@ -19,7 +19,7 @@ namespace fpkcheck::epc::half_plane {
 /// the residual.
 /// @param temperature approximation of E[v^2]
 /// @pre temperature > 0
-double rate_of_change_unit(const problem::Problem& problem, double temperature);
+double relaxation_rate_unit(const problem::Problem& problem, double temperature);
 
 /// Returns the norm of a residual R: the supremum of |d E[phi]/dt| / unit over all polynomials phi
 /// of unit variance. The norm equals sqrt(R^T G^{-1} R) / unit with the covariance matrix G, and is

@@ -13,10 +13,10 @@ namespace {
 
 using transform::Status;
 
-std::string common_inadmissible_reason(const RootSearchResult& root,
+std::string common_inadmissible_reason(const ClosureRootSearchResult& root,
                                        const transform::Solution& solution,
                                        const ClosureSummary& summary) {
-  // Largest growth rate of moments near an accepted root, in units of rate_of_change_unit().
+  // Largest growth rate of moments near an accepted root, in units of relaxation_rate_unit().
   // Rounding errors cause small positive growth rates.
   constexpr double kGrowthLimit = 1e-3;
   constexpr double kBeyondLevelLimit = 1e-3;
@@ -33,7 +33,7 @@ std::string common_inadmissible_reason(const RootSearchResult& root,
         summary.half_plane->beyond_level, kBeyondLevelLimit);
   }
   const double growth = root.rightmost_eigenvalue.real();
-  if (!(growth <= kGrowthLimit * root.rate_of_change_unit)) {
+  if (!(growth <= kGrowthLimit * root.relaxation_rate_unit)) {
     return fmt::format(
         "the root is unstable: deviations of the moments grow at the rate {:.1e} under the moment "
         "equations, and almost all densities of this form near the root leave it",
@@ -44,7 +44,7 @@ std::string common_inadmissible_reason(const RootSearchResult& root,
 
 }  // namespace
 
-ClosureResult make_unassessed_result(const RootSearchResult& root) {
+ClosureResult make_unassessed_result(const ClosureRootSearchResult& root) {
   ClosureResult result;
   result.summary.iterations = root.newton.iterations;
   result.summary.residual = root.newton.residual;
@@ -53,16 +53,16 @@ ClosureResult make_unassessed_result(const RootSearchResult& root) {
   return result;
 }
 
-ClosedFormParameters closed_form_parameters(const ClosureDensity& closure,
-                                            DensityTailTreatment tail,
-                                            ExponentCoordinates variables) {
+ClosedFormDensityParameters closed_form_parameters(const ClosureDensity& closure,
+                                                   DensityTailTreatment tail,
+                                                   ExponentCoordinates variables) {
   return {.variables = variables,
           .log_constant = -closure.log_normalisation,
           .support = closure.support,
           .level = make_exponent_confinement(closure.level, tail).level};
 }
 
-void store_half_plane_summary(const RootSearchResult& root, DensityTailTreatment tail,
+void store_half_plane_summary(const ClosureRootSearchResult& root, DensityTailTreatment tail,
                               const transform::SmoothDensity& density,
                               const StandardDeviations& sigma,
                               const EdgeAndConfinementLevelContours& edges, ClosureResult& result) {
@@ -93,7 +93,7 @@ void store_half_plane_summary(const RootSearchResult& root, DensityTailTreatment
       .relaxation_frequency = root.rightmost_eigenvalue.imag()};
 }
 
-void set_status(const RootSearchResult& root, double quadrature_tolerance,
+void set_status(const ClosureRootSearchResult& root, double quadrature_tolerance,
                 const std::string& inadmissible_reason, ClosureResult& result) {
   auto& [solution, summary] = result;
   const bool is_known_inadmissible = root.is_refinement_omitted && !inadmissible_reason.empty();

@@ -11,12 +11,12 @@
 namespace fpkcheck::epc::half_plane {
 
 /// Returns a closure result with the status not_converged, before the assessment of the root.
-ClosureResult make_unassessed_result(const RootSearchResult& root);
+ClosureResult make_unassessed_result(const ClosureRootSearchResult& root);
 
 /// Returns the parameters with which files store the density of a closure.
-ClosedFormParameters closed_form_parameters(const ClosureDensity& closure,
-                                            DensityTailTreatment tail,
-                                            ExponentCoordinates variables);
+ClosedFormDensityParameters closed_form_parameters(const ClosureDensity& closure,
+                                                   DensityTailTreatment tail,
+                                                   ExponentCoordinates variables);
 
 /// Contours, in the plane of y and v, of the edge of the density's support and of the confinement
 /// level.
@@ -27,14 +27,14 @@ struct EdgeAndConfinementLevelContours {
 
 /// Stores condition number, coefficients, support and tail of a root in the summary of a result.
 /// @pre the solution already contains the density
-void store_half_plane_summary(const RootSearchResult& root, DensityTailTreatment tail,
+void store_half_plane_summary(const ClosureRootSearchResult& root, DensityTailTreatment tail,
                               const transform::SmoothDensity& density,
                               const StandardDeviations& sigma,
                               const EdgeAndConfinementLevelContours& edges, ClosureResult& result);
 
 /// Sets the status of the solution. If the quadrature does not resolve the root, the status is
 /// not_converged, except for an inadmissible root whose quadrature was not refined
-/// (RootSearchResult::is_refinement_omitted). A root of the closure is inadmissible if
+/// (ClosureRootSearchResult::is_refinement_omitted). A root of the closure is inadmissible if
 /// - the formulation states a reason why the root is inadmissible;
 /// - the integral of the density by an independent quadrature is not 1;
 ///  - too much probability lies at or beyond the confinement level: the confinement would determine
@@ -43,7 +43,7 @@ void store_half_plane_summary(const RootSearchResult& root, DensityTailTreatment
 /// @param quadrature_tolerance tolerance on the change of the exponent Q_n on more quadrature
 ///   points, in standard deviations
 /// @param inadmissible_reason reason of the formulation, or empty
-void set_status(const RootSearchResult& root, double quadrature_tolerance,
+void set_status(const ClosureRootSearchResult& root, double quadrature_tolerance,
                 const std::string& inadmissible_reason, ClosureResult& result);
 
 /// Returns the root mean squares of y and of v.

@@ -36,7 +36,7 @@ QuadraturePointCounts refined_point_counts(const QuadraturePointCounts& size) {
 // smallest decay ratio. If every attempt fails, the return value is empty.
 template <class ClosureResult, class Attempt>
 std::optional<ClosureResult> try_confinement_levels(const std::vector<double>& levels,
-                                                    double decay_ratio_limit,
+                                                    double max_decay_ratio,
                                                     const Attempt& attempt) {
   constexpr double kClose = 0.01;
   std::optional<ClosureResult> best;
@@ -53,7 +53,7 @@ std::optional<ClosureResult> try_confinement_levels(const std::vector<double>& l
       best = std::move(result);
       least = density;
     }
-    if (least < decay_ratio_limit) break;
+    if (least < max_decay_ratio) break;
   }
   return best;
 }
@@ -63,10 +63,10 @@ class HalfPlaneRootSearch {
   HalfPlaneRootSearch(const ClosureFormulation& formulation, const ClosureOptions& options)
       : formulation_(formulation),
         options_(options),
-        unit_(formulation.rate_of_change_unit()),
+        unit_(formulation.relaxation_rate_unit()),
         deadline_(options.max_seconds) {}
 
-  RootSearchResult find_root_at_requested_order() {
+  ClosureRootSearchResult find_root_at_requested_order() {
     solve_orders();
     root_.newton.iterations = iterations_;
     root_.homotopies = homotopies_;
@@ -100,7 +100,7 @@ class HalfPlaneRootSearch {
 
   // The first call of this function after the deadline stores the reason of failure.
   bool is_past_deadline() {
-    if (!deadline_.has_passed()) return false;
+    if (!deadline_.has_deadline_passed()) return false;
     if (std::exchange(deadline_reported_, true)) return true;
     root_.failure = fmt::format("no root was found in {:g} s (max_seconds){}", options_.max_seconds,
                                 root_.failure.empty() ? "" : "; last failure: " + root_.failure);
@@ -109,10 +109,12 @@ class HalfPlaneRootSearch {
 
   // At the confinement level of the initial guess, Newton's method starts from the exponent Q_n of
   // the initial guess without a fit.
-  std::vector<double> confinement_levels(const ClosureDensity& guess, RootSearchStage stage) const {
-    std::vector<double> confinement_levels = formulation_.confinement_levels(guess, stage);
-    if (guess.level > 0) confinement_levels.push_back(guess.level);
-    return confinement_levels;
+  std::vector<double> candidate_confinement_energies(const ClosureDensity& guess,
+                                                     ClosureRootSearchStage stage) const {
+    std::vector<double> candidate_confinement_energies =
+        formulation_.candidate_confinement_energies(guess, stage);
+    if (guess.level > 0) candidate_confinement_energies.push_back(guess.level);
+    return candidate_confinement_energies;
   }
 
   std::optional<ClosureDensity> solve_order(const ClosureDensity& guess, int n) {
@@ -120,25 +122,26 @@ class HalfPlaneRootSearch {
     const auto attempt = [&](double level) -> std::optional<std::pair<ClosureDensity, double>> {
       if (is_past_deadline()) return std::nullopt;
       const StartingPoint start = make_starting_point(
-          guess, n, level, initial_point_counts(guess, n, level, RootSearchStage::rough));
-      const NewtonResult result = solve_from(start, RootSearchStage::rough);
+          guess, n, level, initial_point_counts(guess, n, level, ClosureRootSearchStage::rough));
+      const NewtonResult result = solve_from(start, ClosureRootSearchStage::rough);
       if (!result.converged) return std::nullopt;
       homotopies_left_ = 0;
       const ClosureDensity closure = closure_with_decay_end(start.equations, result.a, level);
-      return std::pair{closure, formulation_.decay_ratio(closure, RootSearchStage::rough)};
+      return std::pair{closure, formulation_.decay_ratio(closure, ClosureRootSearchStage::rough)};
     };
     return try_confinement_levels<ClosureDensity>(
-        confinement_levels(guess, RootSearchStage::rough),
-        formulation_.decay_ratio_limit(RootSearchStage::rough), attempt);
+        candidate_confinement_energies(guess, ClosureRootSearchStage::rough),
+        formulation_.max_decay_ratio(ClosureRootSearchStage::rough), attempt);
   }
 
   void solve_requested_order(const ClosureDensity& guess) {
     reset_homotopy_limit();
-    const auto attempt = [&](double level) -> std::optional<std::pair<RootSearchResult, double>> {
+    const auto attempt =
+        [&](double level) -> std::optional<std::pair<ClosureRootSearchResult, double>> {
       if (is_past_deadline() || !solve_at_level(guess, level)) return std::nullopt;
       homotopies_left_ = 0;
       // The root may allow a better confinement level than the initial guess allowed.
-      const RootSearchResult first_root = root_;
+      const ClosureRootSearchResult first_root = root_;
       const auto improved_confinement_level =
           formulation_.improved_confinement_level(guess, first_root.closure);
       if (improved_confinement_level &&
@@ -146,9 +149,9 @@ class HalfPlaneRootSearch {
         root_ = first_root;
       return std::pair{root_, root_.decay_ratio};
     };
-    const auto best = try_confinement_levels<RootSearchResult>(
-        confinement_levels(guess, RootSearchStage::last),
-        formulation_.decay_ratio_limit(RootSearchStage::last), attempt);
+    const auto best = try_confinement_levels<ClosureRootSearchResult>(
+        candidate_confinement_energies(guess, ClosureRootSearchStage::last),
+        formulation_.max_decay_ratio(ClosureRootSearchStage::last), attempt);
     if (best) root_ = *best;
   }
 
@@ -159,14 +162,14 @@ class HalfPlaneRootSearch {
     const bool estimated =
         refinement.rule == QuadratureRefinementCriterion::ChangeMeasure::estimated;
     QuadraturePointCounts size =
-        initial_point_counts(guess, options_.order, level, RootSearchStage::last);
+        initial_point_counts(guess, options_.order, level, ClosureRootSearchStage::last);
     StartingPoint at = make_starting_point(guess, options_.order, level, size);
-    NewtonResult result = solve_from(at, RootSearchStage::last);
+    NewtonResult result = solve_from(at, ClosureRootSearchStage::last);
     const auto is_far_from_decayed = [&](const ClosureEquations& equations) {
       constexpr double kFarAboveLimit = 100;
       return formulation_.decay_ratio(closure_with_decay_end(equations, result.a, level),
-                                      RootSearchStage::last) >
-             kFarAboveLimit * formulation_.decay_ratio_limit(RootSearchStage::last);
+                                      ClosureRootSearchStage::last) >
+             kFarAboveLimit * formulation_.max_decay_ratio(ClosureRootSearchStage::last);
     };
     for (int left = kMaxRefinements; result.converged; --left) {
       const QuadraturePointCounts finer = refined_point_counts(size);
@@ -180,7 +183,7 @@ class HalfPlaneRootSearch {
           return store_root(at.equations, result, level, size, change);
         }
       }
-      result = solve_from(fine, RootSearchStage::last);
+      result = solve_from(fine, ClosureRootSearchStage::last);
       if (!estimated && result.converged) {
         const double change = step_norm(result.a - fine.a, covariance_at(fine.equations, result.a));
         if (change < refinement.tolerance || left == 1) {
@@ -194,7 +197,7 @@ class HalfPlaneRootSearch {
   }
 
   QuadraturePointCounts initial_point_counts(const ClosureDensity& guess, int n, double level,
-                                             RootSearchStage stage) const {
+                                             ClosureRootSearchStage stage) const {
     return formulation_.quadrature_point_counts(n, level / guess.temperature, stage);
   }
 
@@ -212,7 +215,7 @@ class HalfPlaneRootSearch {
   StartingPoint make_starting_point(const ClosureDensity& guess, int n, double level,
                                     const QuadraturePointCounts& size) const {
     const double support = support_energy(level, options_.tail);
-    const ExponentConfinement confinement = make_exponent_confinement(level, options_.tail);
+    const ExponentConfinementTerm confinement = make_exponent_confinement(level, options_.tail);
     const QuadraturePoints points = formulation_.quadrature_points_below_energy(support, size);
     VectorXd exponent(points.size()), mass(points.size());
     for (Index i = 0; i < points.size(); ++i) {
@@ -225,13 +228,13 @@ class HalfPlaneRootSearch {
     mass /= mass.sum();
     ClosureEquations equations = formulation_.closure_equations(
         support, confinement, OrthonormalBasis(n, points, mass), points, size);
-    VectorXd a = equations.fit_coefficients(
+    VectorXd a = equations.fit_exponent_coefficients(
         exponent, formulation_.weights_of_exponent_fit(guess, support, points, exponent, mass));
     return {std::move(equations), std::move(a)};
   }
 
-  NewtonOptions newton_options(RootSearchStage stage) const {
-    const bool last = stage == RootSearchStage::last;
+  NewtonOptions newton_options(ClosureRootSearchStage stage) const {
+    const bool last = stage == ClosureRootSearchStage::last;
     return {.tolerance = last ? options_.tolerance : kRoughTolerance,
             .max_iterations = options_.max_iterations,
             .polish = last};
@@ -240,7 +243,7 @@ class HalfPlaneRootSearch {
   // If Newton's method fails, the end of a homotopy path is a second starting point. For large
   // systems no path is followed if another confinement level has a root, or after kMostHomotopies
   // failed paths.
-  NewtonResult solve_from(const StartingPoint& start, RootSearchStage stage) {
+  NewtonResult solve_from(const StartingPoint& start, ClosureRootSearchStage stage) {
     const NewtonOptions options = newton_options(stage);
     NewtonResult result = solve_by_newton(start.equations, start.a, unit_, options);
     iterations_ += result.iterations;
@@ -250,8 +253,8 @@ class HalfPlaneRootSearch {
       return result;
     }
     --homotopies_left_;
-    const numerics::SolutionCurve homotopy_curve =
-        follow_homotopy(start.equations, start.a, [this] { return deadline_.has_passed(); });
+    const numerics::SolutionCurve homotopy_curve = follow_homotopy(
+        start.equations, start.a, [this] { return deadline_.has_deadline_passed(); });
     const bool end_reached = homotopy_curve.end == numerics::ContinuationTermination::end_reached;
     ++homotopies_;
     iterations_ += homotopy_curve.iterations;
@@ -260,9 +263,10 @@ class HalfPlaneRootSearch {
       iterations_ += result.iterations;
     }
     if (!result.converged) {
-      last_homotopy_ = end_reached ? ": a homotopy led to no root"
-                                   : fmt::format(": a homotopy ended at {:.0f} % of its path",
-                                                 100 * homotopy_curve.point_with_largest_t().t);
+      last_homotopy_ =
+          end_reached ? ": a homotopy led to no root"
+                      : fmt::format(": a homotopy ended at {:.0f} % of its path",
+                                    100 * homotopy_curve.curve_point_with_largest_parameter().t);
       store_failure(start, result);
     }
     return result;
@@ -307,14 +311,14 @@ class HalfPlaneRootSearch {
     root_.newton = result;
     root_.failure.clear();
     root_.closure = closure_with_decay_end(equations, result.a, level);
-    root_.decay_ratio = formulation_.decay_ratio(root_.closure, RootSearchStage::last);
+    root_.decay_ratio = formulation_.decay_ratio(root_.closure, ClosureRootSearchStage::last);
     root_.quadrature = size;
     root_.quadrature_change = quadrature_change;
     const Eigen::MatrixXd jacobian = equations.jacobian(density);
     const Eigen::MatrixXd covariance = equations.covariance(density);
     root_.condition = condition_number(jacobian, covariance);
     root_.rightmost_eigenvalue = rightmost_eigenvalue(jacobian, covariance);
-    root_.rate_of_change_unit = unit_;
+    root_.relaxation_rate_unit = unit_;
     return true;
   }
 
@@ -322,7 +326,7 @@ class HalfPlaneRootSearch {
   const ClosureOptions& options_;
   double unit_;
   base::Deadline deadline_;
-  RootSearchResult root_;
+  ClosureRootSearchResult root_;
   int iterations_ = 0, homotopies_ = 0, homotopies_left_ = 0;
   std::string last_homotopy_;  // outcome of the last homotopy, for the reason of failure
   bool deadline_reported_ = false;
@@ -330,8 +334,8 @@ class HalfPlaneRootSearch {
 
 }  // namespace
 
-RootSearchResult find_closure_root(const ClosureFormulation& formulation,
-                                   const ClosureOptions& options) {
+ClosureRootSearchResult find_closure_root(const ClosureFormulation& formulation,
+                                          const ClosureOptions& options) {
   return HalfPlaneRootSearch(formulation, options).find_root_at_requested_order();
 }
 

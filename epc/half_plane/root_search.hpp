@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "epc/half_plane/basis.hpp"
 #include "epc/half_plane/closure_density.hpp"
 #include "epc/half_plane/galerkin_system.hpp"
+#include "epc/half_plane/half_plane_basis.hpp"
 #include "epc/options.hpp"
 #include "numerics/roots/newton.hpp"
 
@@ -16,7 +16,7 @@ namespace fpkcheck::epc::half_plane {
 
 /// Root of the closure equations of the requested closure order, or the reason why the search for
 /// this root failed.
-struct RootSearchResult {
+struct ClosureRootSearchResult {
   ClosureDensity closure;
   /// Closure density of closure order n - 2; empty for n = 2.
   std::optional<ClosureDensity> previous;
@@ -32,14 +32,14 @@ struct RootSearchResult {
   double condition = 0;
   /// Eigenvalue with the largest real part of the linearised motion of the moments near the root
   std::complex<double> rightmost_eigenvalue = {};
-  double rate_of_change_unit = 0;  ///< ClosureFormulation::rate_of_change_unit()
+  double relaxation_rate_unit = 0;  ///< ClosureFormulation::relaxation_rate_unit()
   int homotopies = 0;   ///< number of homotopies followed after damped Newton steps failed
   std::string failure;  ///< reason why no root was found; empty with a root
 };
 
 /// Stage of the search for a root of the closure equations, which sets the accuracy of the
 /// solution.
-enum class RootSearchStage {
+enum class ClosureRootSearchStage {
   rough,  ///< intermediate order, whose root starts the search at the next order
   last    ///< stage at the requested order
 };
@@ -69,11 +69,11 @@ class ClosureFormulation {
   /// Whether the search at closure order n may start from initial_density() if the start from
   /// closure order n-2 finds no root.
   virtual bool can_start_at_any_order() const { return false; }
-  /// Unit of the residuals of the moment equations, half_plane::rate_of_change_unit().
-  virtual double rate_of_change_unit() const = 0;
+  /// Unit of the residuals of the moment equations, half_plane::relaxation_rate_unit().
+  virtual double relaxation_rate_unit() const = 0;
   /// Candidates for the confinement level, as energies, in the order of the attempts.
-  virtual std::vector<double> confinement_levels(const ClosureDensity& guess,
-                                                 RootSearchStage stage) const = 0;
+  virtual std::vector<double> candidate_confinement_energies(
+      const ClosureDensity& guess, ClosureRootSearchStage stage) const = 0;
   /// Confinement level that is larger, and more suitable for the density of a root, than the level
   /// with which the root was found. Without a better confinement level the result is empty.
   virtual std::optional<double> improved_confinement_level(
@@ -84,11 +84,12 @@ class ClosureFormulation {
   /// @param level_over_temperature confinement level divided by the temperature of the initial
   ///   guess
   virtual QuadraturePointCounts quadrature_point_counts(int order, double level_over_temperature,
-                                                        RootSearchStage stage) const = 0;
+                                                        ClosureRootSearchStage stage) const = 0;
   virtual QuadratureRefinementCriterion quadrature_refinement_criterion() const = 0;
   virtual QuadraturePoints quadrature_points_below_energy(
       double support, const QuadraturePointCounts& size) const = 0;
-  virtual ClosureEquations closure_equations(double support, const ExponentConfinement& confinement,
+  virtual ClosureEquations closure_equations(double support,
+                                             const ExponentConfinementTerm& confinement,
                                              OrthonormalBasis basis, QuadraturePoints points,
                                              const QuadraturePointCounts& size) const = 0;
 
@@ -116,9 +117,9 @@ class ClosureFormulation {
 
   /// Largest density in the region where the density should have decayed, relative to the peak
   /// density.
-  virtual double decay_ratio(const ClosureDensity& closure, RootSearchStage stage) const = 0;
+  virtual double decay_ratio(const ClosureDensity& closure, ClosureRootSearchStage stage) const = 0;
   /// Largest decay ratio with which the root search accepts a confinement level.
-  virtual double decay_ratio_limit(RootSearchStage stage) const = 0;
+  virtual double max_decay_ratio(ClosureRootSearchStage stage) const = 0;
 };
 
 /// Searches for the root of the requested closure order by solving the even orders in turn. The
@@ -127,7 +128,7 @@ class ClosureFormulation {
 /// from the initial density. The search at each order uses the first confinement level at which the
 /// density has decayed, or else the level with the smallest decay ratio. At the requested closure
 /// order the number of quadrature points grows until the quadrature resolves the root.
-RootSearchResult find_closure_root(const ClosureFormulation& formulation,
-                                   const ClosureOptions& options);
+ClosureRootSearchResult find_closure_root(const ClosureFormulation& formulation,
+                                          const ClosureOptions& options);
 
 }  // namespace fpkcheck::epc::half_plane

@@ -49,7 +49,7 @@ constexpr int kMostRefinements = 2;
 
 /// Coefficients a(m) of the density of an exponential family with the moments m of the basis
 /// functions. The search starts from the last density that was found.
-class CoefficientsOfMoments {
+class CoefficientsFromMoments {
  public:
   struct State {
     VectorXd a;
@@ -57,7 +57,7 @@ class CoefficientsOfMoments {
     GalerkinSystem::DensityAtPoints density;
   };
 
-  CoefficientsOfMoments(const ClosureEquations& equations, const VectorXd& a)
+  CoefficientsFromMoments(const ClosureEquations& equations, const VectorXd& a)
       : equations_(equations) {
     if (auto state = state_at(a)) last_ = std::move(*state);
   }
@@ -111,7 +111,7 @@ class CoefficientsOfMoments {
   std::optional<State> state_at(const VectorXd& a) const {
     State state{a, {}, equations_.evaluate_density(a)};
     if (!state.density.finite) return std::nullopt;
-    state.moments = equations_.basis_means(state.density.mass);
+    state.moments = equations_.basis_function_means(state.density.mass);
     return state;
   }
 
@@ -165,10 +165,10 @@ QuadraturePointCounts scale_point_counts(const QuadraturePointCounts& size, doub
   return {times(size.s), times(size.t), times(size.wall)};
 }
 
-class Evolution {
+class ClosureMomentEvolution {
  public:
-  Evolution(const ClosureFormulation& formulation, const problem::Problem& problem,
-            const ClosureOptions& options, const EvolutionRequest& request)
+  ClosureMomentEvolution(const ClosureFormulation& formulation, const problem::Problem& problem,
+                         const ClosureOptions& options, const EvolutionRequest& request)
       : formulation_(formulation),
         problem_(problem),
         options_(options),
@@ -187,10 +187,11 @@ class Evolution {
     const double narrowness =
         std::max({1.0, scales_.displacement_deviation / start_.displacement_deviation,
                   scales_.velocity_deviation / start_.velocity_deviation});
-    QuadraturePointCounts size = scale_point_counts(
-        formulation_.quadrature_point_counts(
-            options_.order, stationary_level() / stationary_.temperature, RootSearchStage::last),
-        std::sqrt(narrowness));
+    QuadraturePointCounts size =
+        scale_point_counts(formulation_.quadrature_point_counts(
+                               options_.order, stationary_level() / stationary_.temperature,
+                               ClosureRootSearchStage::last),
+                           std::sqrt(narrowness));
     for (int left = kMostRefinements;; --left) {
       ClosureEvolution evolution = integrate_moments(size, density_of, left > 0);
       const bool is_resolved = evolution.quadrature_change < kQuadratureTolerance;
@@ -211,10 +212,12 @@ class Evolution {
   // Returns the density of the stationary closure, or the initial density of the search if no root
   // was found.
   ClosureDensity stationary_density() const {
-    const RootSearchResult root = find_closure_root(formulation_, options_);
+    const ClosureRootSearchResult root = find_closure_root(formulation_, options_);
     ClosureDensity density = root.failure.empty() ? root.closure : formulation_.initial_density();
     if (!(density.level > 0)) {
-      density.level = formulation_.confinement_levels(density, RootSearchStage::last).front();
+      density.level =
+          formulation_.candidate_confinement_energies(density, ClosureRootSearchStage::last)
+              .front();
     }
     return density;
   }
@@ -271,7 +274,7 @@ class Evolution {
 
   // Returns the integrator of the moment equations. The coefficients hold the last density.
   numerics::BdfIntegrator moment_integrator(const ClosureEquations& equations,
-                                            CoefficientsOfMoments& coefficients,
+                                            CoefficientsFromMoments& coefficients,
                                             const VectorXd& start) const {
     // Even an accurate integrator may step over a short pulse of the excitation.
     constexpr double kLongestStep = 1e-2;
@@ -281,7 +284,8 @@ class Evolution {
     return {
         {.rate =
              [&](double t, const VectorXd& m, Eigen::Ref<VectorXd> rate) {
-               if (deadline_.has_passed() || !coefficients.find_coefficients(m)) return false;
+               if (deadline_.has_deadline_passed() || !coefficients.find_coefficients(m))
+                 return false;
                rate = equations.residual(coefficients.last_state().density, t);
                return true;
              },
@@ -305,14 +309,15 @@ class Evolution {
 
   // Replaces `moments` by the moments of the periodic state. If the search fails, the function sets
   // the status and returns false.
-  bool find_periodic_state(const ClosureEquations& equations, CoefficientsOfMoments& coefficients,
+  bool find_periodic_state(const ClosureEquations& equations, CoefficientsFromMoments& coefficients,
                            VectorXd& moments, ClosureEvolution& evolution) const {
     // In one period the slowest mode loses the fraction decayed_fraction() of its distance to the
     // periodic state, which is the change per period.
     const double tolerance = kPeriodicDistance * problem::decayed_fraction(scales_, times_.back());
     const numerics::FixedPointResult found = numerics::solve_fixed_point(
         [&](const VectorXd& from) -> std::optional<VectorXd> {
-          if (deadline_.has_passed() || !coefficients.find_coefficients(from)) return std::nullopt;
+          if (deadline_.has_deadline_passed() || !coefficients.find_coefficients(from))
+            return std::nullopt;
           numerics::BdfIntegrator integrator = moment_integrator(equations, coefficients, from);
           const bool is_reached = integrator.advance_to_time(times_.back());
           evolution.steps += integrator.step_count();
@@ -325,7 +330,7 @@ class Evolution {
     if (found.converged && coefficients.find_coefficients(moments)) return true;
     evolution.status = Status::not_converged;
     evolution.reason =
-        deadline_.has_passed()
+        deadline_.has_deadline_passed()
             ? fmt::format("no periodic state in {:g} s (max_seconds)", options_.max_seconds)
             : fmt::format(
                   "no periodic state after {} periods: the moments change by {:.1e} per period "
@@ -358,10 +363,10 @@ class Evolution {
                        formulation_.quadrature_points_below_energy(support, finer));
     // A power below 1 of the density gives more weight to the tail in the fit.
     constexpr double kFlatter = 1.0 / 3;
-    CoefficientsOfMoments coefficients(
-        equations,
-        equations.fit_coefficients(exponent, normalised_mass(points, kFlatter * exponent)));
-    const VectorXd start_moments = equations.basis_means(start_mass);
+    CoefficientsFromMoments coefficients(
+        equations, equations.fit_exponent_coefficients(
+                       exponent, normalised_mass(points, kFlatter * exponent)));
+    const VectorXd start_moments = equations.basis_function_means(start_mass);
     if (!coefficients.find_coefficients(start_moments)) {
       evolution.status = Status::not_converged;
       evolution.reason =
@@ -383,7 +388,7 @@ class Evolution {
         evolution.status = Status::not_converged;
         const double last = evolution.snapshots.empty() ? 0 : evolution.snapshots.back().time;
         evolution.reason =
-            deadline_.has_passed()
+            deadline_.has_deadline_passed()
                 ? fmt::format("t = {:.4g} not reached in {:g} s (max_seconds)", time,
                               options_.max_seconds)
                 : fmt::format(
@@ -392,7 +397,7 @@ class Evolution {
                       last);
         break;
       }
-      const CoefficientsOfMoments::State& state = coefficients.last_state();
+      const CoefficientsFromMoments::State& state = coefficients.last_state();
       const double change_of_snapshot =
           change_on_finer_points(equations, fine_equations, coefficients, time);
       if (!(change_of_snapshot <= change)) change = change_of_snapshot;
@@ -419,15 +424,15 @@ class Evolution {
   // moments, in units of the rate of change, by more quadrature points.
   double change_on_finer_points(const ClosureEquations& equations,
                                 const ClosureEquations& fine_equations,
-                                CoefficientsOfMoments& coefficients, double t) const {
-    const CoefficientsOfMoments::State& state = coefficients.last_state();
+                                CoefficientsFromMoments& coefficients, double t) const {
+    const CoefficientsFromMoments::State& state = coefficients.last_state();
     const auto fine = fine_equations.evaluate_density(state.a);
     const auto* const covariance = coefficients.covariance_factors();
     if (!fine.finite || covariance == nullptr) return std::numeric_limits<double>::infinity();
     const auto norm = [&](const VectorXd& difference) {
       return covariance->matrixL().solve(difference).norm();
     };
-    const double of_moments = norm(fine_equations.basis_means(fine.mass) - state.moments);
+    const double of_moments = norm(fine_equations.basis_function_means(fine.mass) - state.moments);
     const double of_rates =
         norm(fine_equations.residual(fine, t) - equations.residual(state.density, t));
     return std::max(of_moments, of_rates / scales_.frequency);
@@ -466,7 +471,8 @@ ClosureEvolution solve_evolution(const ClosureFormulation& formulation,
                                  const problem::Problem& problem, const ClosureOptions& options,
                                  const EvolutionRequest& request,
                                  const DensityOfClosure& density_of) {
-  return Evolution(formulation, problem, options, request).solve_with_refinement(density_of);
+  return ClosureMomentEvolution(formulation, problem, options, request)
+      .solve_with_refinement(density_of);
 }
 
 }  // namespace fpkcheck::epc::half_plane

@@ -2,11 +2,11 @@
 
 #include <functional>
 
-#include "epc/form/evolution.hpp"
+#include "epc/form/closure_over_time.hpp"
 #include "epc/half_plane/root_search.hpp"
 #include "epc/options.hpp"
 #include "problem/problem.hpp"
-#include "transform/density.hpp"
+#include "transform/joint_density.hpp"
 
 namespace fpkcheck::epc::half_plane {
 

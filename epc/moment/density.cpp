@@ -9,10 +9,9 @@
 
 namespace fpkcheck::epc::moment {
 
-transform::SmoothDensity density_from_exponent(const ExponentPolynomial& q,
-                                               const EnergyDomain& domain,
-                                               const half_plane::ExponentConfinement& confinement,
-                                               double log_constant) {
+transform::SmoothDensity density_from_exponent(
+    const ExponentPolynomial& q, const EnergySublevelSet& domain,
+    const half_plane::ExponentConfinementTerm& confinement, double log_constant) {
   return {.value =
               [q, domain, confinement, log_constant](double y, double v) {
                 if (!domain.contains(y, v)) return 0.0;
@@ -23,7 +22,7 @@ transform::SmoothDensity density_from_exponent(const ExponentPolynomial& q,
           .y_min = domain.y_low()};
 }
 
-half_plane::DensityContour domain_edge_contour(const EnergyDomain& domain) {
+half_plane::DensityContour energy_contour_of_domain_edge(const EnergySublevelSet& domain) {
   constexpr int kPoints = 48;
   half_plane::DensityContour contour;
   for (const problem::HalfCycle& part : domain.y_intervals()) {
@@ -46,7 +45,7 @@ half_plane::DensityContour domain_edge_contour(const EnergyDomain& domain) {
 
 double largest_exponent_on_contour(const ExponentPolynomial& q, const problem::Problem& problem,
                                    double energy) {
-  const EnergyDomain domain(problem, energy);
+  const EnergySublevelSet domain(problem, energy);
   double largest = -std::numeric_limits<double>::infinity();
   for (const problem::HalfCycle& part : domain.y_intervals()) {
     const double at_low = domain.velocity_half_width(part.left);
@@ -54,7 +53,7 @@ double largest_exponent_on_contour(const ExponentPolynomial& q, const problem::P
     largest = std::max({largest, q(part.right, at_high), q(part.right, -at_high),
                         q(part.left, at_low), q(part.left, -at_low)});
   }
-  for (const auto& point : domain_edge_contour(domain))
+  for (const auto& point : energy_contour_of_domain_edge(domain))
     largest = std::max(largest, q(point.y, point.v));
   return largest;
 }

@@ -2,27 +2,26 @@
 
 #include <optional>
 
-#include "epc/form/polynomial.hpp"
+#include "epc/form/exponent_polynomial.hpp"
 #include "epc/half_plane/closure_density.hpp"
 #include "epc/half_plane/root_search.hpp"
 #include "epc/moment/energy_domain.hpp"
 #include "epc/options.hpp"
 #include "problem/problem.hpp"
-#include "transform/density.hpp"
+#include "transform/joint_density.hpp"
 
 namespace fpkcheck::epc::moment {
 
 /// Returns the density C exp(Q_n + confinement), where the polynomial Q_n is a polynomial of y and
 /// v; 0 outside of the domain.
-transform::SmoothDensity density_from_exponent(const ExponentPolynomial& q,
-                                               const EnergyDomain& domain,
-                                               const half_plane::ExponentConfinement& confinement,
-                                               double log_constant);
+transform::SmoothDensity density_from_exponent(
+    const ExponentPolynomial& q, const EnergySublevelSet& domain,
+    const half_plane::ExponentConfinementTerm& confinement, double log_constant);
 
 /// Returns points on the edge of the domain, with DensityContourPoint::area.
-half_plane::DensityContour domain_edge_contour(const EnergyDomain& domain);
+half_plane::DensityContour energy_contour_of_domain_edge(const EnergySublevelSet& domain);
 
-/// Returns the largest exponent Q_n on the contour of an energy (EnergyDomain).
+/// Returns the largest exponent Q_n on the contour of an energy (EnergySublevelSet).
 double largest_exponent_on_contour(const ExponentPolynomial& q, const problem::Problem& problem,
                                    double energy);
 

@@ -33,7 +33,7 @@ EnergyAveragedExponent::EnergyAveragedExponent(const problem::EnergyAveraging& a
 }
 
 // If no orbit of the nearest energy contains the displacement y, the next higher energy is used.
-const problem::EnergyAveraging::EnergyBand& EnergyAveragedExponent::nearest_band(
+const problem::EnergyAveraging::EnergyBand& EnergyAveragedExponent::nearest_energy_band(
     double y, double energy) const {
   const double place = std::round((energy - bands_.front().energy) / step_);
   const auto last = static_cast<double>(levels_.size() - 2);
@@ -47,7 +47,7 @@ const problem::EnergyAveraging::EnergyBand& EnergyAveragedExponent::nearest_band
   return bands_.back();
 }
 
-double EnergyAveragedExponent::slope_of_exponent_above(const Band& band) const {
+double EnergyAveragedExponent::exponent_slope_above_energy_band(const Band& band) const {
   const Band* lower = &band;
   const Band* upper = &bands_[band.parent];
   if (upper == lower) {
@@ -61,15 +61,15 @@ double EnergyAveragedExponent::slope_of_exponent_above(const Band& band) const {
 
 double EnergyAveragedExponent::operator()(double y, double v) const {
   const double energy = v * v / 2 + potential_(y);
-  const Band& band = nearest_band(y, energy);
-  return -(band.potential + slope_of_exponent_above(band) * (energy - band.energy));
+  const Band& band = nearest_energy_band(y, energy);
+  return -(band.potential + exponent_slope_above_energy_band(band) * (energy - band.energy));
 }
 
-double EnergyAveragedExponent::energy_at_exponent_depth(double depth) const {
+double EnergyAveragedExponent::energy_at_exponent_decrease(double depth) const {
   const auto within = std::find_if(bands_.rbegin(), bands_.rend(),
                                    [depth](const Band& band) { return band.potential <= depth; });
   const Band& band = within == bands_.rend() ? bands_.front() : *within;
-  const double slope = slope_of_exponent_above(band);
+  const double slope = exponent_slope_above_energy_band(band);
   const double beyond = slope > 0 ? (depth - band.potential) / slope : 0;
   return band.energy - bottom_ + beyond;
 }

@@ -22,7 +22,7 @@ class EnergyAveragedExponent {
   double temperature() const { return temperature_; }
   /// Returns the smallest energy, relative to the minimum of the potential V, above which the
   /// function Phi of the exponent -Phi exceeds `depth`.
-  double energy_at_exponent_depth(double depth) const;
+  double energy_at_exponent_decrease(double depth) const;
   /// Energy below which 95 % of the probability of the energy-averaged density lies.
   double energy_of_95_percent_quantile() const { return bulk_; }
   /// Largest energy at which the potential has several wells; 0 for a single well.
@@ -31,8 +31,8 @@ class EnergyAveragedExponent {
  private:
   using Band = problem::EnergyAveraging::EnergyBand;
   explicit EnergyAveragedExponent(const problem::EnergyAveraging& averaging);
-  const Band& nearest_band(double y, double energy) const;
-  double slope_of_exponent_above(const Band& band) const;
+  const Band& nearest_energy_band(double y, double energy) const;
+  double exponent_slope_above_energy_band(const Band& band) const;
 
   problem::EffectivePotential potential_;
   double bottom_;  // minimum of the potential

@@ -68,7 +68,7 @@ std::vector<double> kinks_of_restitution(const problem::Wall& wall, double large
 
 }  // namespace
 
-EnergyDomain::EnergyDomain(const problem::Problem& problem, double level)
+EnergySublevelSet::EnergySublevelSet(const problem::Problem& problem, double level)
     : potential_(problem),
       level_(level),
       left_wall_(problem.system.left_wall()),
@@ -84,7 +84,7 @@ EnergyDomain::EnergyDomain(const problem::Problem& problem, double level)
   dense_at_rest_ = !problem.system.has_polynomial_force() && v_kinks_.empty();
 }
 
-double EnergyDomain::turning_point(double from, double towards) const {
+double EnergySublevelSet::turning_point(double from, double towards) const {
   const auto excess = [this](double y) { return energy(y, 0) - level_; };
   const auto [low, high] = std::minmax(from, towards);
   std::uintmax_t iterations = 100;
@@ -93,15 +93,15 @@ double EnergyDomain::turning_point(double from, double towards) const {
   return (bracket.first + bracket.second) / 2;
 }
 
-double EnergyDomain::velocity_half_width(double y) const {
+double EnergySublevelSet::velocity_half_width(double y) const {
   return std::sqrt(std::max(0.0, 2 * (level_ - energy(y, 0))));
 }
 
-double EnergyDomain::v_max() const { return std::sqrt(2 * level_); }
+double EnergySublevelSet::v_max() const { return std::sqrt(2 * level_); }
 
 // Returns the turning point that the motion would have behind a wall, at a distance of at most the
 // width of the given part of the domain.
-double EnergyDomain::turning_point_behind_wall(double wall, double far) const {
+double EnergySublevelSet::turning_point_behind_wall(double wall, double far) const {
   constexpr int kSteps = 16;
   const double step = (wall - far) / kSteps;
   for (int k = 1; k <= kSteps; ++k) {
@@ -111,7 +111,7 @@ double EnergyDomain::turning_point_behind_wall(double wall, double far) const {
   return wall + (wall - far);
 }
 
-EnergyDomain::SineMap EnergyDomain::sine_map_of(const HalfCycle& part) const {
+EnergySublevelSet::SineMap EnergySublevelSet::sine_map_of_half_cycle(const HalfCycle& part) const {
   // The half-width velocity_half_width(y) also has a square-root singularity at the turning point
   // that the motion would have behind a wall. The substitution y = a + b sin(phi) removes the
   // singularities at the two ends of the domain.
@@ -125,13 +125,13 @@ EnergyDomain::SineMap EnergyDomain::sine_map_of(const HalfCycle& part) const {
           part.right_is_wall ? std::asin((part.right - centre) / half_length) : kQuarterTurn};
 }
 
-QuadraturePoints EnergyDomain::quadrature_points(int y_points, int v_points) const {
+QuadraturePoints EnergySublevelSet::quadrature_points(int y_points, int v_points) const {
   QuadratureRule tau =
       numerics::gauss_legendre_rule(points_per_panel(v_points, v_kinks_.size() + 1), -1, 1);
   if (dense_at_rest_) concentrate_points_at_zero(tau);
   std::vector<double> y, v, energies, weights;
   for (const HalfCycle& part : parts_) {
-    const auto [centre, half_length, first, last] = sine_map_of(part);
+    const auto [centre, half_length, first, last] = sine_map_of_half_cycle(part);
     std::vector<double> phi_ends = panel_ends(part.left, y_kinks_, part.right);
     for (double& end : phi_ends)
       end = std::asin(std::clamp((end - centre) / half_length, -1.0, 1.0));
@@ -167,7 +167,7 @@ QuadraturePoints EnergyDomain::quadrature_points(int y_points, int v_points) con
           .weight = vector(weights)};
 }
 
-QuadratureRule EnergyDomain::left_wall_quadrature_rule(int point_count) const {
+QuadratureRule EnergySublevelSet::left_wall_quadrature_rule(int point_count) const {
   const double width = parts_.front().left_is_wall ? velocity_half_width(y_low()) : 0;
   if (width == 0) return {};
   std::vector<double> ends = panel_ends(0, kinks_of_restitution(*left_wall_, width), width);
@@ -176,7 +176,7 @@ QuadratureRule EnergyDomain::left_wall_quadrature_rule(int point_count) const {
   return join_panel_rules(ends, point_count);
 }
 
-QuadratureRule EnergyDomain::right_wall_quadrature_rule(int point_count) const {
+QuadratureRule EnergySublevelSet::right_wall_quadrature_rule(int point_count) const {
   const double width = parts_.back().right_is_wall ? velocity_half_width(y_max()) : 0;
   if (width == 0) return {};
   return join_panel_rules(panel_ends(0, kinks_of_restitution(*right_wall_, width), width),

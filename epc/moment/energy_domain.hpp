@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "epc/half_plane/basis.hpp"
+#include "epc/half_plane/half_plane_basis.hpp"
 #include "numerics/polynomials/polynomial.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/undamped_orbits.hpp"
@@ -24,10 +24,10 @@ namespace fpkcheck::epc::moment {
 /// damping a stationary density is nearly constant along the edge of the domain. A rectangle would
 /// be unsuitable, since no equation controls a polynomial exponent in the far corners of a
 /// rectangle. Below the energy of a potential barrier the domain has several parts.
-class EnergyDomain {
+class EnergySublevelSet {
  public:
   /// @param level energy of the edge of the domain, > 0
-  EnergyDomain(const problem::Problem& problem, double level);
+  EnergySublevelSet(const problem::Problem& problem, double level);
 
   double energy_level() const { return level_; }
   /// Energy h(y, v) of a state of the oscillator, relative to the minimum of the potential V.
@@ -69,7 +69,7 @@ class EnergyDomain {
   };
   double turning_point(double from, double towards) const;
   double turning_point_behind_wall(double wall, double far) const;
-  SineMap sine_map_of(const problem::HalfCycle& part) const;
+  SineMap sine_map_of_half_cycle(const problem::HalfCycle& part) const;
 
   problem::EffectivePotential potential_;  // potential V
   double level_;

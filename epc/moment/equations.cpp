@@ -29,7 +29,7 @@ VectorXd total_force(const problem::System& system, const VectorXd& y, const Vec
 }
 
 // Quadrature points on the walls, with the velocities of the mass before and after an impact.
-struct PreImpactWallPoints {
+struct WallImpactQuadraturePoints {
   VectorXd y, before, after, weight;
 
   void add_wall(const problem::Wall& wall, const numerics::QuadratureRule& line) {
@@ -47,9 +47,9 @@ struct PreImpactWallPoints {
   }
 };
 
-PreImpactWallPoints incoming_wall_points(const problem::System& system, const EnergyDomain& domain,
-                                         int points) {
-  PreImpactWallPoints all;
+WallImpactQuadraturePoints incoming_wall_points(const problem::System& system,
+                                                const EnergySublevelSet& domain, int points) {
+  WallImpactQuadraturePoints all;
   if (system.left_wall())
     all.add_wall(*system.left_wall(), domain.left_wall_quadrature_rule(points));
   if (system.right_wall())
@@ -61,7 +61,7 @@ PreImpactWallPoints incoming_wall_points(const problem::System& system, const En
 
 half_plane::ClosureEquations closure_equations(
     const problem::Problem& problem, const std::vector<double>& rate_times_moment,
-    const EnergyDomain& domain, const half_plane::ExponentConfinement& confinement,
+    const EnergySublevelSet& domain, const half_plane::ExponentConfinementTerm& confinement,
     half_plane::OrthonormalBasis basis, half_plane::QuadraturePoints points, int wall_points) {
   const auto& system = problem.system;
   const int n = basis.order();
@@ -71,7 +71,7 @@ half_plane::ClosureEquations closure_equations(
   // largest excitation, and time_dependent_terms contains the difference from the largest
   // excitation.
   const problem::ExcitationTimeDependence& time = problem.time;
-  std::vector<half_plane::TimeDependentTerm> time_dependent_terms;
+  std::vector<half_plane::TimeDependentGeneratorTerm> time_dependent_terms;
   const auto add_term = [&](std::function<double(double)> factor) {
     time_dependent_terms.push_back({std::move(factor), MatrixXd(point_count, basis.size())});
   };
@@ -88,8 +88,8 @@ half_plane::ClosureEquations closure_equations(
   for (Eigen::Index begin = 0; begin < point_count; begin += kPointsPerBlock) {
     const Eigen::Index rows = std::min(kPointsPerBlock, point_count - begin);
     const VectorXd y = points.y.segment(begin, rows), v = points.v.segment(begin, rows);
-    const auto y_tables = basis.polynomials_in_s().derivative_tables(y, 1);
-    const auto v_tables = basis.polynomials_in_t().derivative_tables(v, n);
+    const auto y_tables = basis.polynomials_in_s().polynomial_derivative_tables(y, 1);
+    const auto v_tables = basis.polynomials_in_t().polynomial_derivative_tables(v, n);
     const auto products = [&](const MatrixXd& of_y, const MatrixXd& of_v) {
       return products_of_basis_columns(basis.basis_functions(), of_y, of_v);
     };
@@ -118,11 +118,11 @@ half_plane::ClosureEquations closure_equations(
         products(y_tables[0], impulses - force.asDiagonal() * v_tables[1]);
   }
 
-  const PreImpactWallPoints wall = incoming_wall_points(system, domain, wall_points);
+  const WallImpactQuadraturePoints wall = incoming_wall_points(system, domain, wall_points);
   const MatrixXd wall_basis_functions = basis.basis_values(wall.y, wall.before);
-  half_plane::GalerkinTables tables{
+  half_plane::GalerkinQuadratureTables tables{
       .weight = points.weight,
-      .basis_functions = half_plane::BasisAtPoints(basis, points.s, points.t),
+      .basis_functions = half_plane::BasisValuesAtPoints(basis, points.s, points.t),
       .generator_terms = std::move(generator_terms),
       .time_dependent_terms = std::move(time_dependent_terms),
       .confinement_terms = points.energy.unaryExpr(confinement),

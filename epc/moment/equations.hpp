@@ -27,7 +27,7 @@ namespace fpkcheck::epc::moment {
 /// @param wall_points number of quadrature points on each wall
 half_plane::ClosureEquations closure_equations(
     const problem::Problem& problem, const std::vector<double>& rate_times_moment,
-    const EnergyDomain& domain, const half_plane::ExponentConfinement& confinement,
+    const EnergySublevelSet& domain, const half_plane::ExponentConfinementTerm& confinement,
     half_plane::OrthonormalBasis basis, half_plane::QuadraturePoints points, int wall_points);
 
 }  // namespace fpkcheck::epc::moment

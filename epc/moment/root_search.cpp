@@ -18,19 +18,19 @@ namespace fpkcheck::epc::moment {
 namespace {
 
 using half_plane::ClosureDensity;
-using half_plane::ExponentConfinement;
+using half_plane::ClosureRootSearchStage;
+using half_plane::ExponentConfinementTerm;
 using half_plane::OrthonormalBasis;
 using half_plane::QuadraturePointCounts;
 using half_plane::QuadraturePoints;
 using half_plane::QuadratureRefinementCriterion;
-using half_plane::RootSearchStage;
 
 // Products lambda E[Y^j] of impulse rate and moments, j = 0 .. n; 0 for terms that the equation
 // lacks.
 std::vector<double> rates_times_moments(const problem::Problem& problem,
                                         const ClosureOptions& options) {
   std::vector<double> moments(options.order + 1);
-  const int last = effective_equation(options) == DensityEquation::white ? 2 : options.order;
+  const int last = closure_density_equation(options) == DensityEquation::white ? 2 : options.order;
   for (int j = 1; j <= last; ++j) moments[j] = problem.impulses.rate_times_moment(j);
   return moments;
 }
@@ -45,16 +45,16 @@ class MomentFormulation : public half_plane::ClosureFormulation {
       : problem_(problem),
         tail_(options.tail),
         rate_moment_(rates_times_moments(problem, options)),
-        rate_unit_(half_plane::rate_of_change_unit(problem, temperature)) {}
+        rate_unit_(half_plane::relaxation_rate_unit(problem, temperature)) {}
 
-  double rate_of_change_unit() const override { return rate_unit_; }
+  double relaxation_rate_unit() const override { return rate_unit_; }
 
   // Candidates for the confinement level: the energy at which exp(Q_n) of the initial guess is
   // negligible, if such an energy exists, then candidate_levels().
-  std::vector<double> confinement_levels(const ClosureDensity& guess,
-                                         RootSearchStage stage) const override {
+  std::vector<double> candidate_confinement_energies(const ClosureDensity& guess,
+                                                     ClosureRootSearchStage stage) const override {
     std::vector<double> levels = candidate_levels(guess);
-    if (stage == RootSearchStage::rough || guess.q.terms().empty()) return levels;
+    if (stage == ClosureRootSearchStage::rough || guess.q.terms().empty()) return levels;
     const auto whole = negligible_level(guess, levels.front(), guess);
     if (whole) levels.insert(levels.begin(), *whole);
     return levels;
@@ -76,25 +76,27 @@ class MomentFormulation : public half_plane::ClosureFormulation {
 
   QuadraturePoints quadrature_points_below_energy(
       double support, const QuadraturePointCounts& size) const override {
-    return EnergyDomain(problem_, support).quadrature_points(size.s, size.t);
+    return EnergySublevelSet(problem_, support).quadrature_points(size.s, size.t);
   }
 
   half_plane::ClosureEquations closure_equations(double support,
-                                                 const ExponentConfinement& confinement,
+                                                 const ExponentConfinementTerm& confinement,
                                                  OrthonormalBasis basis, QuadraturePoints points,
                                                  const QuadraturePointCounts& size) const override {
-    return moment::closure_equations(problem_, rate_moment_, EnergyDomain(problem_, support),
+    return moment::closure_equations(problem_, rate_moment_, EnergySublevelSet(problem_, support),
                                      confinement, std::move(basis), std::move(points), size.wall);
   }
 
   // Decay ratio at the confinement level for intermediate closure orders, and at the edge of the
   // support for the requested closure order.
-  double decay_ratio(const ClosureDensity& closure, RootSearchStage stage) const override {
-    return stage == RootSearchStage::rough ? density_ratio_at_confinement_level(closure, problem_)
-                                           : density_ratio_at_edge(closure, problem_, tail_);
+  double decay_ratio(const ClosureDensity& closure, ClosureRootSearchStage stage) const override {
+    return stage == ClosureRootSearchStage::rough
+               ? density_ratio_at_confinement_level(closure, problem_)
+               : density_ratio_at_edge(closure, problem_, tail_);
   }
-  double decay_ratio_limit(RootSearchStage stage) const override {
-    return stage == RootSearchStage::rough ? kIntermediateLevelDensity : kMaxSupportEdgeDensity;
+  double max_decay_ratio(ClosureRootSearchStage stage) const override {
+    return stage == ClosureRootSearchStage::rough ? kIntermediateLevelDensity
+                                                  : kMaxSupportEdgeDensity;
   }
 
  protected:
@@ -136,8 +138,9 @@ class LinearisedFormulation final : public MomentFormulation {
   }
 
   QuadraturePointCounts quadrature_point_counts(int order, double level_over_temperature,
-                                                RootSearchStage stage) const override {
-    if (stage == RootSearchStage::rough) return {16 + 2 * order, 20 + 2 * order, 20 + 2 * order};
+                                                ClosureRootSearchStage stage) const override {
+    if (stage == ClosureRootSearchStage::rough)
+      return {16 + 2 * order, 20 + 2 * order, 20 + 2 * order};
     // The number of quadrature points grows more slowly than the width of the domain, since the
     // density is small in the added part of a wider domain.
     const double deviations = std::sqrt(2 * level_over_temperature);
@@ -195,9 +198,9 @@ class EnergyAveragedFormulation final : public MomentFormulation {
   bool can_start_at_any_order() const override { return true; }
 
   QuadraturePointCounts quadrature_point_counts(int order, double level_over_temperature,
-                                                RootSearchStage stage) const override {
+                                                ClosureRootSearchStage stage) const override {
     const double width = std::max(1.0, std::sqrt(2 * level_over_temperature) / kDeviations[0]);
-    const int least = stage == RootSearchStage::rough ? 20 : 32;
+    const int least = stage == ClosureRootSearchStage::rough ? 20 : 32;
     const auto widened = [&](int points) { return static_cast<int>(points * std::sqrt(width)); };
     return {widened(least + 8 + 2 * order), widened(least + 2 * order), widened(least + 2 * order)};
   }
@@ -219,9 +222,9 @@ class EnergyAveragedFormulation final : public MomentFormulation {
     return flat / flat.sum();
   }
 
-  double decay_ratio(const ClosureDensity& closure, RootSearchStage stage) const override {
+  double decay_ratio(const ClosureDensity& closure, ClosureRootSearchStage stage) const override {
     const double ratio = MomentFormulation::decay_ratio(closure, stage);
-    if (stage == RootSearchStage::rough) return ratio;
+    if (stage == ClosureRootSearchStage::rough) return ratio;
     return std::max(ratio, density_ratio_at_confinement_level(closure, problem_) *
                                (kMaxSupportEdgeDensity / kPreferredLevelDensity));
   }
@@ -253,7 +256,7 @@ class EnergyAveragedFormulation final : public MomentFormulation {
     std::vector<double> levels;
     for (const double deviations : kDeviations) {
       levels.push_back(std::max(
-          least, warmer * averaged_.energy_at_exponent_depth(depth_at_deviations(deviations))));
+          least, warmer * averaged_.energy_at_exponent_decrease(depth_at_deviations(deviations))));
     }
     levels.erase(std::unique(levels.begin(), levels.end()), levels.end());
     return levels;
@@ -261,7 +264,7 @@ class EnergyAveragedFormulation final : public MomentFormulation {
   std::pair<double, double> energy_scan_range(double from, const ClosureDensity&) const override {
     return {std::max(from, kFarAboveBulk * averaged_.energy_of_95_percent_quantile()),
             kLargestScanRatio *
-                averaged_.energy_at_exponent_depth(depth_at_deviations(kDeviations[0]))};
+                averaged_.energy_at_exponent_decrease(depth_at_deviations(kDeviations[0]))};
   }
 
   EnergyAveragedExponent averaged_;
@@ -277,8 +280,8 @@ std::unique_ptr<half_plane::ClosureFormulation> make_formulation(const problem::
   return std::make_unique<EnergyAveragedFormulation>(problem, options);
 }
 
-half_plane::RootSearchResult find_closure_root(const problem::Problem& problem,
-                                               const ClosureOptions& options) {
+half_plane::ClosureRootSearchResult find_closure_root(const problem::Problem& problem,
+                                                      const ClosureOptions& options) {
   return half_plane::find_closure_root(*make_formulation(problem, options), options);
 }
 

@@ -19,7 +19,7 @@ std::unique_ptr<half_plane::ClosureFormulation> make_formulation(const problem::
 /// Searches for the root by half_plane::find_closure_root() in the coordinates y and v. The
 /// confinement level is the energy at which exp(Q_n) is negligible, or else an energy at which the
 /// density has decayed. starts_from_equivalent_linearisation() selects the start.
-half_plane::RootSearchResult find_closure_root(const problem::Problem& problem,
-                                               const ClosureOptions& options);
+half_plane::ClosureRootSearchResult find_closure_root(const problem::Problem& problem,
+                                                      const ClosureOptions& options);
 
 }  // namespace fpkcheck::epc::moment

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "epc/form/store_density.hpp"
+#include "epc/form/closure_density_storage.hpp"
 #include "epc/formulations.hpp"
 #include "epc/half_plane/root_assessment.hpp"
 #include "epc/half_plane/root_search.hpp"
@@ -11,13 +11,13 @@
 #include "epc/moment/density.hpp"
 #include "epc/moment/root_search.hpp"
 #include "epc/summary.hpp"
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 namespace fpkcheck::epc::moment {
 namespace {
 
 using half_plane::ClosureDensity;
-using half_plane::RootSearchResult;
+using half_plane::ClosureRootSearchResult;
 
 // Tolerance on the change of the exponent Q_n by additional quadrature points, in standard
 // deviations.
@@ -26,7 +26,7 @@ constexpr double kQuadratureTolerance = 1e-6;
 transform::SmoothDensity density_from_exponent(const problem::Problem& problem,
                                                const ClosureDensity& closure,
                                                DensityTailTreatment tail) {
-  return density_from_exponent(closure.q, EnergyDomain(problem, closure.support),
+  return density_from_exponent(closure.q, EnergySublevelSet(problem, closure.support),
                                half_plane::make_exponent_confinement(closure.level, tail),
                                -closure.log_normalisation);
 }
@@ -34,8 +34,8 @@ transform::SmoothDensity density_from_exponent(const problem::Problem& problem,
 // Returns the reason why a density is inadmissible: the density has not decayed on the edge of its
 // support, or decays by the confinement alone.
 std::string inadmissible_reason(double edge_density, double density_at_level,
-                                const LeadingFormOfExponent& form) {
-  const std::string behaviour = describe_leading_form(form, "(y, v) / deviations");
+                                const ExponentBehaviourAtInfinity& form) {
+  const std::string behaviour = describe_exponent_at_infinity(form, "(y, v) / deviations");
   if (!(edge_density < kMaxSupportEdgeDensity)) {
     return fmt::format(
         "the density is {:.1e} of its peak on the edge of its support (limit {:.0e}), {}",
@@ -51,7 +51,7 @@ std::string inadmissible_reason(double edge_density, double density_at_level,
 }  // namespace
 
 ClosureResult solve_closure(const problem::Problem& problem, const ClosureOptions& options) {
-  const RootSearchResult root = find_closure_root(problem, options);
+  const ClosureRootSearchResult root = find_closure_root(problem, options);
   ClosureResult result = half_plane::make_unassessed_result(root);
   if (!root.failure.empty()) return result;
 
@@ -67,17 +67,17 @@ ClosureResult solve_closure(const problem::Problem& problem, const ClosureOption
         marginals, transform::marginals_at_quadrature_points(before, density.y_max, density.v_max));
   }
   const StandardDeviations sigma = half_plane::root_mean_squares(marginals.moments);
-  summary.leading_form = leading_form(
-      closure.q, sigma,
-      problem.system.left_wall() ? PlaneDirectionRange::half : PlaneDirectionRange::whole);
+  summary.leading_form = leading_form(closure.q, sigma,
+                                      problem.system.left_wall() ? PhasePlaneDirectionRange::half
+                                                                 : PhasePlaneDirectionRange::whole);
   summary.frame =
       half_plane::closed_form_parameters(closure, options.tail, ExponentCoordinates::physical);
   summary.frame->coordinates = problem.frame;
   const double edge = density_ratio_at_edge(closure, problem, options.tail);
   half_plane::store_half_plane_summary(
       root, options.tail, density, sigma,
-      {.support = domain_edge_contour(EnergyDomain(problem, closure.support)),
-       .level = domain_edge_contour(EnergyDomain(problem, closure.level)),
+      {.support = energy_contour_of_domain_edge(EnergySublevelSet(problem, closure.support)),
+       .level = energy_contour_of_domain_edge(EnergySublevelSet(problem, closure.level)),
        .density = edge},
       result);
   half_plane::set_status(

@@ -39,7 +39,7 @@ AmplitudePhaseCoordinates::AmplitudePhaseCoordinates(const problem::Problem& pro
       force_ratio_(
           divide_by_power(problem.system.restoring_force(), 1, 1, problem.system.stiffness())) {}
 
-double AmplitudePhaseCoordinates::displacement_bound(double w) const {
+double AmplitudePhaseCoordinates::displacement_upper_bound(double w) const {
   // If one of the positive terms of 2 V(y) equals w^2 at a displacement y, the sum 2 V(y) is at
   // least w^2.
   double least = std::numeric_limits<double>::infinity();
@@ -56,7 +56,7 @@ double AmplitudePhaseCoordinates::displacement(double w) const {
   const auto excess = [&](double y) {
     return std::pair{this->sqrt_twice_potential(y) - w, sqrt_twice_potential_slope(y)};
   };
-  const double guess = displacement_bound(w);
+  const double guess = displacement_upper_bound(w);
   double beyond = 2 * guess;
   while (this->sqrt_twice_potential(beyond) < w) beyond *= 2;
   constexpr int kDigits = std::numeric_limits<double>::digits - 2;

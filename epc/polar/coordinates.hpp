@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "epc/amplitude/amplitude_equations.hpp"
-#include "epc/form/closed_form.hpp"
+#include "epc/form/closed_form_parameters.hpp"
 #include "numerics/polynomials/polynomial.hpp"
 #include "problem/problem.hpp"
 
@@ -48,7 +48,7 @@ class AmplitudePhaseCoordinates {
   static std::pair<double, double> coordinates_after_impulse(double w, double v) {
     return {std::sqrt(w * w + v * v), std::atan2(v, w)};
   }
-  static double second_coordinate(double, double theta) { return theta; }
+  static double second_exponent_coordinate(double, double theta) { return theta; }
   static double phase(double, double theta) { return theta; }
   /// Returns g(y) / w(y) with the restoring force g and w(y) = sqrt(2 V(y)); the ratio equals dw/dy
   /// if the stiffness K of V equals k.
@@ -65,7 +65,8 @@ class AmplitudePhaseCoordinates {
                                                                    double theta) const;
   /// Returns the derivatives of rho and of theta with respect to v: sin(theta) and cos(theta) /
   /// rho.
-  static amplitude::CoordinateTimeDerivatives velocity_derivatives(double rho, double theta) {
+  static amplitude::CoordinateTimeDerivatives coordinate_derivatives_in_v(double rho,
+                                                                          double theta) {
     return {std::sin(theta), std::cos(theta) / rho};
   }
   static double density_prefactor(double) { return 1; }
@@ -76,11 +77,11 @@ class AmplitudePhaseCoordinates {
   /// basis function.
   static std::vector<double> amplitude_break_points(const problem::ImpulseLaw& law, double rho_max);
   /// Returns one phase, since the coefficient of the highest power of rho does not depend on theta.
-  static std::vector<double> leading_form_phases() { return {0}; }
+  static std::vector<double> phases_for_leading_form_sign() { return {0}; }
 
  private:
   double sqrt_twice_potential_over_y(double y) const { return std::sqrt(potential_ratio_(y)); }
-  double displacement_bound(double w) const;
+  double displacement_upper_bound(double w) const;
 
   numerics::Polynomial potential_ratio_;        // polynomial 2 V(y) / y^2
   numerics::Polynomial potential_slope_ratio_;  // polynomial V'(y) / y

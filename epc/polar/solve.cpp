@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "epc/amplitude/closure_formulation.hpp"
-#include "epc/form/store_density.hpp"
+#include "epc/form/closure_density_storage.hpp"
 #include "epc/formulations.hpp"
 #include "epc/half_plane/newton.hpp"
 #include "epc/half_plane/root_assessment.hpp"
@@ -9,13 +9,13 @@
 #include "epc/half_plane/transient.hpp"
 #include "epc/polar/coordinates.hpp"
 #include "problem/motion_scales.hpp"
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 namespace fpkcheck::epc::polar {
 namespace {
 
 using half_plane::ClosureDensity;
-using half_plane::RootSearchResult;
+using half_plane::ClosureRootSearchResult;
 using transform::QuadraturePanelSpacing;
 
 // Returns the spacing of quadrature panels: the coarse spacing if the total probability has an
@@ -63,7 +63,7 @@ amplitude::CoordinateFormulation<AmplitudePhaseCoordinates> make_formulation(
   const double centre = coordinates.sqrt_twice_potential(scales.centre);
   const double temperature =
       scales.velocity_deviation * scales.velocity_deviation + centre * centre / 2;
-  return {problem, coordinates, temperature, half_plane::rate_of_change_unit(problem, temperature),
+  return {problem, coordinates, temperature, half_plane::relaxation_rate_unit(problem, temperature),
           options.tail};
 }
 
@@ -79,7 +79,7 @@ transform::SmoothDensity density_from_exponent(const ClosureDensity& closure,
 
 ClosureResult solve_closure(const problem::Problem& problem, const ClosureOptions& options) {
   const AmplitudePhaseCoordinates coordinates(problem);
-  const RootSearchResult root =
+  const ClosureRootSearchResult root =
       half_plane::find_closure_root(make_formulation(problem, coordinates, options), options);
   ClosureResult result = half_plane::make_unassessed_result(root);
   if (!root.failure.empty()) return result;

@@ -255,7 +255,8 @@ AxisOperator weighted_average_operator(const GridAxis& axis, int stencil_size,
 
 namespace {
 
-// Returns the quadrature points of WeightedAverages in a cell with centre 0 and width 1.
+// Returns the quadrature points of WeightedAverageMatrixBuilder in a cell with centre 0 and width
+// 1.
 const std::vector<numerics::QuadraturePoint>& quadrature_points() {
   static const auto points = numerics::composite_gauss_points<10>(-0.5, 0.5, 1);
   return points;
@@ -263,8 +264,8 @@ const std::vector<numerics::QuadraturePoint>& quadrature_points() {
 
 }  // namespace
 
-WeightedAverages::WeightedAverages(const GridAxis& axis, int stencil_size,
-                                   std::optional<int> barrier)
+WeightedAverageMatrixBuilder::WeightedAverageMatrixBuilder(const GridAxis& axis, int stencil_size,
+                                                           std::optional<int> barrier)
     : axis_(axis) {
   const auto& points = quadrature_points();
   Eigen::MatrixXd monomials(stencil_size, static_cast<Eigen::Index>(points.size()));
@@ -281,7 +282,7 @@ WeightedAverages::WeightedAverages(const GridAxis& axis, int stencil_size,
   }
 }
 
-AxisOperator WeightedAverages::weighted_average_matrix(
+AxisOperator WeightedAverageMatrixBuilder::weighted_average_matrix(
     const std::function<double(double)>& weight) const {
   const auto& points = quadrature_points();
   Triplets entries;

@@ -65,12 +65,13 @@ AxisOperator weighted_average_operator(const GridAxis& axis, int stencil_size,
 
 /// Computes the matrices of weighted_average_operator() for weights that are no polynomials. The
 /// integrals over a cell are exact for weights of degree 19 minus the degree of the reconstruction.
-/// The constructor of WeightedAverages solves the linear systems for the stencil coefficients once,
-/// since these systems do not depend on the weight function.
-class WeightedAverages {
+/// The constructor of WeightedAverageMatrixBuilder solves the linear systems for the stencil
+/// coefficients once, since these systems do not depend on the weight function.
+class WeightedAverageMatrixBuilder {
  public:
   /// @param axis must outlive this object
-  WeightedAverages(const GridAxis& axis, int stencil_size, std::optional<int> barrier = {});
+  WeightedAverageMatrixBuilder(const GridAxis& axis, int stencil_size,
+                               std::optional<int> barrier = {});
 
   AxisOperator weighted_average_matrix(const std::function<double(double)>& weight) const;
 

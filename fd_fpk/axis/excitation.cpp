@@ -15,15 +15,15 @@ double default_regularisation_length(const problem::ImpulseLaw& law) {
   return std::sqrt(law.moment(6) / (5 * law.moment(4)));
 }
 
-DiscreteExcitation white_noise_excitation(const problem::ImpulseTrain& impulses) {
+DiscretisedExcitation white_noise_excitation(const problem::ImpulseTrain& impulses) {
   return {.drift = impulses.rate_times_moment(1),
           .diffusion = impulses.rate_times_moment(2) / 2,
           .exchange = {}};
 }
 
-DiscreteExcitation kramers_moyal_excitation(const problem::ImpulseTrain& impulses,
-                                            const GridAxis& axis, double regularisation_length) {
-  DiscreteExcitation result = white_noise_excitation(impulses);
+DiscretisedExcitation kramers_moyal_excitation(const problem::ImpulseTrain& impulses,
+                                               const GridAxis& axis, double regularisation_length) {
+  DiscretisedExcitation result = white_noise_excitation(impulses);
   // delta_l^4 p / l^4 = (p(v+2l) - 4 p(v+l) + 6 p(v) - 4 p(v-l) + p(v-2l)) / l^4
   // delta_l^3 p / l^3 = (p(v+2l) - 2 p(v+l) + 2 p(v-l) - p(v-2l)) / (2 l^3)
   const double fourth = impulses.rate_times_moment(4) / 24 / std::pow(regularisation_length, 4);
@@ -37,7 +37,7 @@ DiscreteExcitation kramers_moyal_excitation(const problem::ImpulseTrain& impulse
                          Term{1, -4 * fourth + 2 * third}, Term{2, fourth - third}};
   result.exchange = Eigen::MatrixXd::Zero(axis.cell_count(), axis.cell_count());
   for (const auto& [shift, weight] : terms) {
-    result.exchange += weight * fixed_jump_matrix(axis, shift * regularisation_length);
+    result.exchange += weight * jump_matrix_of_fixed_amplitude(axis, shift * regularisation_length);
   }
   return result;
 }
@@ -48,8 +48,8 @@ double pade_kernel_length_squared(const problem::ImpulseTrain& impulses) {
   return impulses.rate_times_moment(4) / 24 / d2 - a * a;
 }
 
-DiscreteExcitation kramers_moyal_pade_excitation(const problem::ImpulseTrain& impulses,
-                                                 const GridAxis& axis, int scheme_order) {
+DiscretisedExcitation kramers_moyal_pade_excitation(const problem::ImpulseTrain& impulses,
+                                                    const GridAxis& axis, int scheme_order) {
   const double d2 = impulses.rate_times_moment(2) / 2;
   const double a = impulses.rate_times_moment(3) / 6 / d2;
   const double b = pade_kernel_length_squared(impulses);
@@ -67,7 +67,7 @@ DiscreteExcitation kramers_moyal_pade_excitation(const problem::ImpulseTrain& im
           .preconditioner_exchange_decay_rate = d2 / b};
 }
 
-DiscreteExcitation jump_excitation(const problem::ImpulseTrain& impulses, const GridAxis& axis) {
+DiscretisedExcitation jump_excitation(const problem::ImpulseTrain& impulses, const GridAxis& axis) {
   return {.drift = 0,
           .diffusion = 0,
           .exchange = impulses.arrival_rate() * jump_matrix(axis, impulses.amplitude_law()),
@@ -76,7 +76,7 @@ DiscreteExcitation jump_excitation(const problem::ImpulseTrain& impulses, const 
           .preconditioner_exchange_decay_rate = impulses.arrival_rate()};
 }
 
-AxisOperator drift_diffusion_matrix(const GridAxis& axis, const DiscreteExcitation& excitation,
+AxisOperator drift_diffusion_matrix(const GridAxis& axis, const DiscretisedExcitation& excitation,
                                     int scheme_order) {
   const AxisOperator flux =
       excitation.diffusion * face_derivative_operator(axis, scheme_order) -
@@ -97,8 +97,8 @@ FastestGrowingWave fastest_kramers_moyal_wave(const problem::ImpulseTrain& impul
 
 }  // namespace
 
-FastestGrowingWave fastest_growing_wave(const GridAxis& axis, const DiscreteExcitation& excitation,
-                                        int stencil_size) {
+FastestGrowingWave fastest_growing_wave(const GridAxis& axis,
+                                        const DiscretisedExcitation& excitation, int stencil_size) {
   const int middle = axis.cell_count() / 2;
   Eigen::RowVectorXd row = drift_diffusion_matrix(axis, excitation, stencil_size).row(middle);
   if (excitation.exchange.size() > 0) row += excitation.exchange.row(middle);

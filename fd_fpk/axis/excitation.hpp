@@ -28,7 +28,7 @@ struct ParametricImpulses {
 };
 
 /// Excitation terms of the density equation, discretised on a velocity axis.
-struct DiscreteExcitation {
+struct DiscretisedExcitation {
   double drift = 0;      ///< drift coefficient a in the term -a p'
   double diffusion = 0;  ///< diffusion coefficient D in the term D p''
   /// Matrix of the nonlocal terms, shape (cells, cells): velocity jumps, third and fourth
@@ -58,7 +58,7 @@ struct DiscreteExcitation {
 double default_regularisation_length(const problem::ImpulseLaw& law);
 
 /// Returns the white-noise approximation of the impulses, -lambda E[Y] p' + lambda E[Y^2]/2 p''.
-DiscreteExcitation white_noise_excitation(const problem::ImpulseTrain& impulses);
+DiscretisedExcitation white_noise_excitation(const problem::ImpulseTrain& impulses);
 
 /// Returns the Kramers-Moyal series truncated after the fourth derivative. The series consists of
 /// drift, diffusion and two finite differences over the fixed step l:
@@ -66,8 +66,8 @@ DiscreteExcitation white_noise_excitation(const problem::ImpulseTrain& impulses)
 ///     -lambda E[Y^3]/6 delta_l^3 p / l^3 + lambda E[Y^4]/24 delta_l^4 p / l^4.
 ///
 /// The literal scheme of the equation `km4` uses the cell width as the step l of the differences.
-DiscreteExcitation kramers_moyal_excitation(const problem::ImpulseTrain& impulses,
-                                            const GridAxis& axis, double regularisation_length);
+DiscretisedExcitation kramers_moyal_excitation(const problem::ImpulseTrain& impulses,
+                                               const GridAxis& axis, double regularisation_length);
 
 /// Returns the [2/2] Pade approximant of the truncated Kramers-Moyal series, with D_j = lambda
 /// E[Y^j]/j!, a = D3/D2 and b = D4/D2 - a^2:
@@ -77,24 +77,24 @@ DiscreteExcitation kramers_moyal_excitation(const problem::ImpulseTrain& impulse
 /// For a symmetric law of the amplitudes, the Pade approximant is the generator of a compound
 /// Poisson process with Laplace jumps. The Pade approximant exists for b > 0.
 /// @param scheme_order even order of accuracy of the differences
-DiscreteExcitation kramers_moyal_pade_excitation(const problem::ImpulseTrain& impulses,
-                                                 const GridAxis& axis, int scheme_order);
+DiscretisedExcitation kramers_moyal_pade_excitation(const problem::ImpulseTrain& impulses,
+                                                    const GridAxis& axis, int scheme_order);
 
 /// Returns the squared kernel length b = D4/D2 - a^2 of the Pade approximant. The Pade approximant
 /// is a bounded operator if this squared length is positive.
 double pade_kernel_length_squared(const problem::ImpulseTrain& impulses);
 
 /// Returns the excitation by the jump integral lambda (E[p(x2 - Y)] - p).
-DiscreteExcitation jump_excitation(const problem::ImpulseTrain& impulses, const GridAxis& axis);
+DiscretisedExcitation jump_excitation(const problem::ImpulseTrain& impulses, const GridAxis& axis);
 
 /// Returns the matrix of drift and diffusion on the cell averages of the velocity axis, shape
 /// (cells, cells). The finite differences of drift and diffusion have the given even order of
 /// accuracy.
-AxisOperator drift_diffusion_matrix(const GridAxis& axis, const DiscreteExcitation& excitation,
+AxisOperator drift_diffusion_matrix(const GridAxis& axis, const DiscretisedExcitation& excitation,
                                     int scheme_order);
 
 class GridAxis;
-struct DiscreteExcitation;
+struct DiscretisedExcitation;
 
 /// The wave exp(i q x2) that grows fastest under the excitation terms alone.
 struct FastestGrowingWave {
@@ -109,8 +109,8 @@ struct FastestGrowingWave {
 /// is unstable. The truncated Kramers-Moyal series has the symbol -D2 q^2 + D4 q^4 with D4 > 0, so
 /// that the growth rate increases on finer grids.
 /// @param stencil_size even number of cells in each stencil of the centred differences
-FastestGrowingWave fastest_growing_wave(const GridAxis& axis, const DiscreteExcitation& excitation,
-                                        int stencil_size);
+FastestGrowingWave fastest_growing_wave(const GridAxis& axis,
+                                        const DiscretisedExcitation& excitation, int stencil_size);
 
 /// Returns the largest number of cells on each side of the middle cell that contribute to the
 /// middle row of the excitation matrix.

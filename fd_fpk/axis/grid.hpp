@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "transform/density.hpp"
+#include "transform/joint_density.hpp"
 
 namespace fpkcheck::fd_fpk {
 

@@ -28,7 +28,7 @@ SpeedDistributionInterpolation::SpeedDistributionInterpolation(const GridAxis& a
   }
 }
 
-void SpeedDistributionInterpolation::add_interpolation_weights(
+void SpeedDistributionInterpolation::add_distribution_interpolation_weights(
     double x, double factor, Eigen::Ref<Eigen::VectorXd> face_weights) const {
   const auto& faces = axis_.faces();
   const int last = axis_.cell_count();
@@ -56,7 +56,7 @@ void SpeedDistributionInterpolation::add_interpolation_weights(
   }
 }
 
-Eigen::VectorXd SpeedDistributionInterpolation::to_average_weights(
+Eigen::VectorXd SpeedDistributionInterpolation::cell_average_weights_from_face_weights(
     const Eigen::Ref<const Eigen::VectorXd>& face_weights) const {
   Eigen::VectorXd weights(axis_.cell_count());
   double sum = 0;
@@ -83,9 +83,9 @@ AxisOperator exact_impact_map(const GridAxis& speed_axis, const problem::Wall& w
     const double face = a + 1 == cells
                             ? speed_axis.face_position(cells)
                             : problem::speed_before_impact(wall, speed_axis.face_position(a + 1));
-    cumulative.add_interpolation_weights(face, 1.0, above);
+    cumulative.add_distribution_interpolation_weights(face, 1.0, above);
     const Eigen::VectorXd row =
-        cumulative.to_average_weights(above - below) / speed_axis.cell_width(a);
+        cumulative.cell_average_weights_from_face_weights(above - below) / speed_axis.cell_width(a);
     for (int b = 0; b < cells; ++b) {
       if (std::abs(row(b)) > 1e-15) entries.emplace_back(a, b, row(b));
     }

@@ -6,7 +6,7 @@
 
 #include "fd_fpk/axis/axis_operators.hpp"
 #include "fd_fpk/axis/grid.hpp"
-#include "problem/model.hpp"
+#include "problem/equation_and_impact_condition.hpp"
 #include "problem/walls.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -28,13 +28,14 @@ class SpeedDistributionInterpolation {
 
   /// Adds `factor` times the interpolation weights of the cumulative distribution C at x to
   /// `face_weights`, the weights of the values of C at the cell faces.
-  void add_interpolation_weights(double x, double factor,
-                                 Eigen::Ref<Eigen::VectorXd> face_weights) const;
+  void add_distribution_interpolation_weights(double x, double factor,
+                                              Eigen::Ref<Eigen::VectorXd> face_weights) const;
 
   /// Converts weights of the values of a cumulative distribution C at cell faces to weights of cell
   /// averages. The face value C_f is the sum of cell width times cell average over all cells left
   /// of face f.
-  Eigen::VectorXd to_average_weights(const Eigen::Ref<const Eigen::VectorXd>& face_weights) const;
+  Eigen::VectorXd cell_average_weights_from_face_weights(
+      const Eigen::Ref<const Eigen::VectorXd>& face_weights) const;
 
  private:
   // Positions x_a of the cell faces around a cell, and the inverse denominators 1 / prod_{b != a}

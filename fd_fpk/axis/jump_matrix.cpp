@@ -34,7 +34,9 @@ Eigen::MatrixXd generator_matrix(const GridAxis& axis,
   // 1, to velocity cell i.
   Eigen::MatrixXd masses(cells, cells);
   for (int i = 0; i < cells; ++i) {
-    masses.row(i) = cumulative.to_average_weights(change.col(i + 1) - change.col(i)).transpose();
+    masses.row(i) =
+        cumulative.cell_average_weights_from_face_weights(change.col(i + 1) - change.col(i))
+            .transpose();
   }
   const Eigen::RowVectorXd lost = masses.colwise().sum();
   Eigen::MatrixXd generator = masses;
@@ -84,7 +86,7 @@ void add_moment_expansion(const GridAxis& axis, int face, const problem::Impulse
 void add_continuous_piece(const GridAxis& axis, const SpeedDistributionInterpolation& cumulative,
                           double face, const problem::ImpulseLaw& law, double from, double to,
                           Eigen::Ref<Eigen::VectorXd> weights) {
-  const double longest = law.deviation();
+  const double longest = law.amplitude_standard_deviation();
   // The interpolating polynomial of C(u), with u = face - y, changes where u is a face of the axis.
   const double left = std::max(face - to, axis.faces().front());
   const double right = std::min(face - from, axis.faces().back());
@@ -93,7 +95,8 @@ void add_continuous_piece(const GridAxis& axis, const SpeedDistributionInterpola
   for (double u = left; u < right; ++next) {
     const double end = std::min(*next, right);
     for (const auto& [at, weight] : gauss_points_on_short_panels(u, end, longest)) {
-      cumulative.add_interpolation_weights(at, weight * law.density(face - at), weights);
+      cumulative.add_distribution_interpolation_weights(at, weight * law.density(face - at),
+                                                        weights);
     }
     u = end;
   }
@@ -108,11 +111,12 @@ void add_continuous_piece(const GridAxis& axis, const SpeedDistributionInterpola
 
 }  // namespace
 
-Eigen::MatrixXd fixed_jump_matrix(const GridAxis& axis, double amplitude) {
+Eigen::MatrixXd jump_matrix_of_fixed_amplitude(const GridAxis& axis, double amplitude) {
   const SpeedDistributionInterpolation cumulative(axis, kFaces, AxisEndCondition::vacuum);
   Eigen::MatrixXd change = Eigen::MatrixXd::Zero(axis.cell_count() + 1, axis.cell_count() + 1);
   for (int f = 0; f <= axis.cell_count(); ++f) {
-    cumulative.add_interpolation_weights(axis.face_position(f) - amplitude, 1, change.col(f));
+    cumulative.add_distribution_interpolation_weights(axis.face_position(f) - amplitude, 1,
+                                                      change.col(f));
     change(f, f) -= 1;
   }
   return generator_matrix(axis, cumulative, change);
@@ -133,8 +137,8 @@ Eigen::MatrixXd jump_matrix(const GridAxis& axis, const problem::ImpulseLaw& law
                            pieces[piece + 1], change.col(f));
     }
     for (const auto& [amplitude, probability] : law.amplitude_atoms()) {
-      cumulative.add_interpolation_weights(axis.face_position(f) - amplitude, probability,
-                                           change.col(f));
+      cumulative.add_distribution_interpolation_weights(axis.face_position(f) - amplitude,
+                                                        probability, change.col(f));
     }
     change(f, f) -= 1;
   }

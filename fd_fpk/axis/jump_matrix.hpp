@@ -15,7 +15,7 @@ class ImpulseLaw;
 namespace fpkcheck::fd_fpk {
 
 /// Returns the matrix of a velocity jump by a fixed amplitude, p(x2 - amplitude) - p(x2).
-Eigen::MatrixXd fixed_jump_matrix(const GridAxis& axis, double amplitude);
+Eigen::MatrixXd jump_matrix_of_fixed_amplitude(const GridAxis& axis, double amplitude);
 
 /// Returns the matrix of a velocity jump by a random amplitude Y, E[p(x2 - Y)] - p(x2). The matrix
 /// discretises the jump integral of paper (15) before the expansion of the integral, for any law.

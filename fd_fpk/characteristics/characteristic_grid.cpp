@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fd_fpk/axis/grid.hpp"
-#include "fd_fpk/characteristics/flow.hpp"
+#include "fd_fpk/characteristics/deterministic_motion.hpp"
 #include "fd_fpk/characteristics/rest_points.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "problem/equivalent_linearisation.hpp"
@@ -90,7 +90,7 @@ DensitySingularities density_singularities(const problem::Problem& problem,
       left *= std::exp(-problem.impulses.arrival_rate() * half_cycle.duration);
     }
   }
-  const double deviation = law.deviation(), inside = 1e-6 * deviation;
+  const double deviation = law.amplitude_standard_deviation(), inside = 1e-6 * deviation;
   for (const double end : law.amplitude_density_breakpoints()) {
     const double step = std::abs(law.density(end + inside) - law.density(end - inside));
     if (step * deviation > kStep) found.v.push_back(std::abs(end));
@@ -118,7 +118,7 @@ PhasePlaneGrid grid_from_linearised_scales(const problem::Problem& problem,
   const double deviation = speed_deviation(problem), v = typical_speed(problem, deviation);
   const double y = typical_height(problem, flow, v);
   const double width = kCellWidth / options.refinement;
-  const double core = relative_uniform_cell_radius(deviation, v);
+  const double core = uniform_cell_radius_at_rest_point(deviation, v);
   // An impulse of fixed amplitude (an atom of the law) displaces the density spike of mass at rest
   // without widening the spike.
   const DensitySingularities singular = is_density_unbounded_at_origin(problem)
@@ -155,7 +155,7 @@ constexpr double kContactCore = 0.02;
 // constant width: kLeastCore for rare impulses, kMostCore for frequent impulses. Around an
 // equilibrium between walls, the errors of cells on opposite sides of the equilibrium cancel in the
 // mean. Towards an equilibrium at a wall the cell widths decrease further, to
-// relative_uniform_cell_radius().
+// uniform_cell_radius_at_rest_point().
 constexpr double kLeastCore = 1e-3, kMostCore = 0.1, kNothingLeft = 40;
 
 // Returns the typical distance to an equilibrium to which the motion decays between two impulses.
@@ -163,8 +163,8 @@ double equilibrium_core_distance(const problem::Problem& problem,
                                  const problem::MotionScales& scales, bool is_at_wall) {
   const double impulses = problem::impulses_per_decay_time(problem, scales);
   const double least =
-      is_at_wall ? relative_uniform_cell_radius(scales.velocity_deviation,
-                                                typical_speed(problem, scales.velocity_deviation))
+      is_at_wall ? uniform_cell_radius_at_rest_point(
+                       scales.velocity_deviation, typical_speed(problem, scales.velocity_deviation))
                  : kLeastCore;
   return std::clamp(std::exp(-kNothingLeft / impulses), least, kMostCore);
 }
@@ -189,7 +189,7 @@ std::vector<double> centres_of_motion(const DeterministicFlow& flow) {
   return centres.empty() ? flow.potential_extrema() : centres;
 }
 
-struct TypicalScales {
+struct TypicalMotionScales {
   double speed, core_v;
   std::vector<RestPoint> points;
   std::vector<double> core_y = {};  // CellGrading::core in y, for each rest point
@@ -198,11 +198,12 @@ struct TypicalScales {
   double least_potential = 0;
 };
 
-TypicalScales typical_scales(const problem::Problem& problem, const problem::MotionScales& scales,
-                             const DeterministicFlow& flow) {
-  TypicalScales found{.speed = typical_speed(problem, scales.velocity_deviation),
-                      .core_v = kContactCore,
-                      .points = find_rest_points(flow)};
+TypicalMotionScales typical_scales(const problem::Problem& problem,
+                                   const problem::MotionScales& scales,
+                                   const DeterministicFlow& flow) {
+  TypicalMotionScales found{.speed = typical_speed(problem, scales.velocity_deviation),
+                            .core_v = kContactCore,
+                            .points = find_rest_points(flow)};
   const std::vector<double> centres = centres_of_motion(flow);
   found.least_potential = flow.potential_energy(centres.front());
   const auto distance_from = [&](double y) {
@@ -235,7 +236,7 @@ PhasePlaneGrid grid_from_rest_points(const problem::Problem& problem,
                                      const problem::MotionScales& scales,
                                      const FiniteVolumeOptions& options, const PhasePlaneBox& box) {
   const DeterministicFlow flow(problem.system);
-  const TypicalScales scale = typical_scales(problem, scales, flow);
+  const TypicalMotionScales scale = typical_scales(problem, scales, flow);
   const double part = kCellWidth / options.refinement;
   const bool has_limit_cycle = scale.points.empty();
   const double part_y = part * (has_limit_cycle ? kLimitCycleFactorY : 1);
@@ -279,10 +280,10 @@ PhasePlaneBox initial_box_from_rest_points(const problem::Problem& problem,
   constexpr double kTimes = 5, kDeviations = 9, kHigher = 1.1;
   const DeterministicFlow flow(problem.system);
   const auto& law = problem.impulses.amplitude_law();
-  PhasePlaneBox box{
-      .x1_max = 0,
-      .x2_max = options.x2_max.value_or(kTimes * typical_speed(problem, scales.velocity_deviation) +
-                                        std::abs(law.mean()) + kDeviations * law.deviation())};
+  PhasePlaneBox box{.x1_max = 0,
+                    .x2_max = options.x2_max.value_or(
+                        kTimes * typical_speed(problem, scales.velocity_deviation) +
+                        std::abs(law.mean()) + kDeviations * law.amplitude_standard_deviation())};
   const auto& left = flow.wall(WallSide::left);
   const auto& right = flow.wall(WallSide::right);
   double highest = 0;

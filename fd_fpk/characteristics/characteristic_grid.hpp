@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fd_fpk/axis/grid.hpp"
-#include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/operator/phase_plane_discretisation.hpp"
 #include "fd_fpk/options.hpp"
 #include "problem/motion_scales.hpp"
 #include "problem/problem.hpp"
@@ -15,7 +15,7 @@ namespace fpkcheck::fd_fpk {
 ///
 /// First rule, for problems with has_linearised_scales(): far from the origin the cell width is a
 /// fifth of the typical amplitude. Nearer to the origin the cell width is a constant fraction of
-/// the distance to the origin, down to relative_uniform_cell_radius(). The cells in v are also
+/// the distance to the origin, down to uniform_cell_radius_at_rest_point(). The cells in v are also
 /// narrow at atoms of the impulse law and at steps of the density of the law.
 ///
 /// Second rule, for all other problems: far from rest points the cell width in v is a fifth of the

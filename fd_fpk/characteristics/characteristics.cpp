@@ -90,16 +90,16 @@ Characteristics::Characteristics(const problem::System& system, const PhasePlane
     if (rest_[n].contact) contacts_.push_back(static_cast<int>(n));
     for (const auto& [cell, share] : rest_[n].cells) at_rest_[cell] = true;
   }
-  trace_from_box_sides(characteristics_per_cell);
+  trace_characteristics_from_box_edges(characteristics_per_cell);
   for (const WallSide side : {WallSide::left, WallSide::right}) {
-    if (flow_.wall(side)) trace_from_wall(side, characteristics_per_cell);
+    if (flow_.wall(side)) trace_characteristics_from_wall(side, characteristics_per_cell);
   }
   sort_wall_characteristics();
-  if (rest_.empty()) trace_from_uncovered_cells();
+  if (rest_.empty()) trace_characteristics_from_uncovered();
   trace_through_uncrossed_cells();
-  normalise_visit_areas();
-  find_continuations_at_walls(from_outside_);
-  find_continuations_at_walls(from_walls_);
+  normalise_characteristic_areas();
+  find_characteristics_after_impacts(from_outside_);
+  find_characteristics_after_impacts(from_walls_);
 }
 
 std::string Characteristics::failure_reason() const {
@@ -113,7 +113,7 @@ std::string Characteristics::failure_reason() const {
 // Traces characteristics of the motion from the sides of the computational box where motion enters
 // the computational box. Motion that does not enter the computational box through its sides starts
 // at a wall or near an unstable equilibrium.
-void Characteristics::trace_from_box_sides(int characteristics_per_cell) {
+void Characteristics::trace_characteristics_from_box_edges(int characteristics_per_cell) {
   constexpr double kInside = 1e-12;
   const double length = grid_.x1_max() - grid_.x1_min();
   const double y_min = grid_.x1_min() + kInside * length;
@@ -149,7 +149,7 @@ void Characteristics::trace_from_box_sides(int characteristics_per_cell) {
 // At a wall with a rest point of the motion no characteristic starts in the innermost cell. Motion
 // from the innermost cell of a contact is a cascade of impacts. Mass in the innermost cell of an
 // equilibrium at a wall counts as at rest.
-void Characteristics::trace_from_wall(WallSide side, int characteristics_per_cell) {
+void Characteristics::trace_characteristics_from_wall(WallSide side, int characteristics_per_cell) {
   const int middle = grid_.v_cell_count() / 2;
   const double y = flow_.wall(side)->position;
   const bool rests =
@@ -193,7 +193,7 @@ void Characteristics::sort_wall_characteristics() {
 // computational box. The strips of the new characteristics cover the missing fraction of the cell
 // area. Cells are treated by increasing energy, since motion away from an unstable equilibrium
 // passes cells of lower energy first.
-void Characteristics::trace_from_uncovered_cells() {
+void Characteristics::trace_characteristics_from_uncovered() {
   constexpr double kMissing = 0.3;  // largest accepted fraction of the area without strips
   constexpr double kInside = 1e-9;  // distance of the starts from the faces, in cell widths
   const int nv = grid_.v_cell_count();
@@ -255,15 +255,16 @@ void Characteristics::trace_through_uncrossed_cells() {
 }
 
 // Returns the index of the equilibrium whose innermost cells contain the motion from the state.
-std::optional<int> Characteristics::equilibrium_containing(const PhaseState& at) const {
+std::optional<int> Characteristics::equilibrium_with_cells_containing(const PhaseState& at) const {
   const int cell =
       cell_index_at(grid_.x1, at.y) * grid_.v_cell_count() + cell_index_at(grid_.x2, at.v);
   if (!at_rest_[cell]) return std::nullopt;
   for (std::size_t n = 0; n < rest_.size(); ++n) {
     const RestPoint& place = rest_[n];
     const bool inside =
-        !place.contact &&
-        std::ranges::any_of(place.cells, [&](const RestMassShare& c) { return c.cell == cell; });
+        !place.contact && std::ranges::any_of(place.cells, [&](const RestMassFractionInCell& c) {
+          return c.cell == cell;
+        });
     if (inside && flow_.mechanical_energy(at) < place.escape_energy) return static_cast<int>(n);
   }
   return std::nullopt;
@@ -309,7 +310,7 @@ void Characteristics::trace_characteristic(const TraceStart& start,
                   .j = cell_index_at(grid_.x2, from.v),
                   .flux = start.flux,
                   .first = part.visits.size()};
-  if (deadline_.has_passed()) part.out_of_time = true;
+  if (deadline_.has_deadline_passed()) part.out_of_time = true;
   const auto own_visits = [&] { return part.visits.size() - at.first; };
   const auto must_stop_tracing = [&] {
     return out_of_time_ || part.out_of_time ||
@@ -322,7 +323,7 @@ void Characteristics::trace_characteristic(const TraceStart& start,
   AccessibleDisplacements accessible_displacements = flow_.accessible_displacements(from);
   double energy = track.energy - accessible_displacements.least_potential, time = 0;
   for (long step = 0;; ++step) {
-    if ((track.characteristic_end.rest = equilibrium_containing(at.state))) break;
+    if ((track.characteristic_end.rest = equilibrium_with_cells_containing(at.state))) break;
     if (must_stop_tracing() || (step > kMostSteps && rate_ * time > kMaxDecayTimes)) break;
     // Along a limit cycle no rest point ends the characteristic.
     if (rest_.empty() && rate_ * time > kMaxCycleDecayTimes) break;
@@ -334,7 +335,7 @@ void Characteristics::trace_characteristic(const TraceStart& start,
     }
     double span = flow_.max_time_step(at.state, accessible_displacements);
     PhaseState end = flow_.advance_state(at.state, span);
-    const auto hit = flow_.passed_wall(end.y);
+    const auto hit = flow_.wall_passed_by_displacement(end.y);
     if (hit) {
       span = flow_.impact_time(at.state, span, *hit);
       end = {flow_.wall(*hit)->position, flow_.advance_state(at.state, span).v};
@@ -435,7 +436,7 @@ void Characteristics::record_cell_visits(TracingState& at, const PhaseState& to,
 // Converts the area of each cell visit to a fraction of the cell area. The position of a cell
 // visit, first relative to the cell centre, becomes relative to the mean position of all visits to
 // the cell.
-void Characteristics::normalise_visit_areas() {
+void Characteristics::normalise_characteristic_areas() {
   struct Cover {
     double area = 0, y = 0, v = 0;
   };
@@ -468,7 +469,8 @@ void Characteristics::normalise_visit_areas() {
   durations_ = {};
 }
 
-void Characteristics::find_continuations_at_walls(std::vector<Characteristic>& tracks) const {
+void Characteristics::find_characteristics_after_impacts(
+    std::vector<Characteristic>& tracks) const {
   for (Characteristic& track : tracks) {
     CharacteristicEnd& characteristic_end = track.characteristic_end;
     if (!characteristic_end.wall || characteristic_end.rest) continue;
@@ -493,10 +495,10 @@ void Characteristics::find_continuations_at_walls(std::vector<Characteristic>& t
   }
 }
 
-std::vector<ContactImpulseDistribution> Characteristics::contact_impulse_distributions(
-    const problem::ImpulseLaw& law) const {
+std::vector<RestMassDistributionAfterImpulse>
+Characteristics::rest_mass_distributions_after_impulse(const problem::ImpulseLaw& law) const {
   using Quadrature = boost::math::quadrature::gauss_kronrod<double, 61>;
-  std::vector<ContactImpulseDistribution> all;
+  std::vector<RestMassDistributionAfterImpulse> all;
   for (const int contact : contacts_) {
     const WallSide side = *rest_[contact].contact;
     const double r = flow_.wall(side)->restitution;
@@ -515,7 +517,8 @@ std::vector<ContactImpulseDistribution> Characteristics::contact_impulse_distrib
       return std::isinf(u) ? 1.0 : slower_off(u) - faster_into(u / r);
     };
     const WallCharacteristics& wall_characteristics = this->wall_characteristics(side);
-    ContactImpulseDistribution departures{.shares = std::vector<double>(from_walls_.size(), 0.0)};
+    RestMassDistributionAfterImpulse departures{.shares =
+                                                    std::vector<double>(from_walls_.size(), 0.0)};
     for (std::size_t k = 0; k < wall_characteristics.speeds.size(); ++k) {
       const double above =
           k == 0 ? std::numeric_limits<double>::infinity() : wall_characteristics.below[k - 1];

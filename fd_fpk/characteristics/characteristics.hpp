@@ -9,7 +9,7 @@
 
 #include "base/process/stopwatch.hpp"
 #include "fd_fpk/axis/grid.hpp"
-#include "fd_fpk/characteristics/flow.hpp"
+#include "fd_fpk/characteristics/deterministic_motion.hpp"
 #include "fd_fpk/characteristics/rest_points.hpp"
 #include "problem/impulse_law.hpp"
 
@@ -54,7 +54,7 @@ struct Characteristic {
 /// Fractions in which an impulse distributes the mass at rest in contact over the characteristics
 /// that start at the wall. An impulse of amplitude Y away from the wall starts the motion at speed
 /// Y. An impulse towards the wall causes an impact at once.
-struct ContactImpulseDistribution {
+struct RestMassDistributionAfterImpulse {
   std::vector<double>
       shares;  ///< fraction of the mass on each characteristic of characteristics_from_walls()
   /// Fraction of the mass at rest in contact to which an impulse gives a speed below the start
@@ -77,7 +77,7 @@ class Characteristics {
   /// @param deadline time at which the construction stops with a failure_reason()
   Characteristics(const problem::System& system, const PhasePlaneGrid& grid, double impulse_rate,
                   int characteristics_per_cell,
-                  const base::Deadline& deadline = base::Deadline::unlimited());
+                  const base::Deadline& deadline = base::Deadline::without_time_limit());
 
   /// Returns the characteristics that start at an edge of the computational box, or in a cell that
   /// no other characteristic crosses. After an impact the mass of such a characteristic continues
@@ -88,18 +88,18 @@ class Characteristics {
   /// the list, the slower of the two characteristics always follows the characteristic before the
   /// impact; the faster characteristic may precede it.
   const std::vector<Characteristic>& characteristics_from_walls() const { return from_walls_; }
-  const std::vector<CharacteristicCellVisit>& cell_visits() const { return visits_; }
+  const std::vector<CharacteristicCellVisit>& characteristic_cell_visits() const { return visits_; }
   /// Returns the reason why the characteristics do not cover the phase plane; empty if the
   /// characteristics cover the phase plane.
   std::string failure_reason() const;
   const std::vector<RestPoint>& rest_points() const { return rest_; }
   /// Returns the indices in rest_points() of the rest points in contact.
-  const std::vector<int>& contact_rest_point_indices() const { return contacts_; }
+  const std::vector<int>& indices_of_rest_points_in_contact() const { return contacts_; }
   const std::optional<problem::Wall>& wall(WallSide side) const { return flow_.wall(side); }
 
   /// Returns the distribution of mass after an impulse, for each rest point of
-  /// contact_rest_point_indices().
-  std::vector<ContactImpulseDistribution> contact_impulse_distributions(
+  /// indices_of_rest_points_in_contact().
+  std::vector<RestMassDistributionAfterImpulse> rest_mass_distributions_after_impulse(
       const problem::ImpulseLaw& law) const;
 
  private:
@@ -129,10 +129,10 @@ class Characteristics {
   const WallCharacteristics& wall_characteristics(WallSide side) const {
     return side == WallSide::left ? from_left_ : from_right_;
   }
-  void trace_from_box_sides(int characteristics_per_cell);
-  void trace_from_wall(WallSide side, int characteristics_per_cell);
+  void trace_characteristics_from_box_edges(int characteristics_per_cell);
+  void trace_characteristics_from_wall(WallSide side, int characteristics_per_cell);
   void sort_wall_characteristics();
-  void trace_from_uncovered_cells();
+  void trace_characteristics_from_uncovered();
   void trace_through_uncrossed_cells();
   std::vector<Characteristic> trace_characteristics(const std::vector<TraceStart>& starts);
   Characteristic trace_characteristic(const PhaseState& from, double flux) {
@@ -142,13 +142,13 @@ class Characteristics {
   // visits of all characteristics that any thread has traced.
   void trace_characteristic(const TraceStart& start, std::atomic<std::size_t>& visit_count,
                             TracedPart& part) const;
-  std::optional<int> equilibrium_containing(const PhaseState& at) const;
+  std::optional<int> equilibrium_with_cells_containing(const PhaseState& at) const;
   void record_cell_visits(TracingState& at, const PhaseState& to, double time,
                           TracedPart& part) const;
   void set_characteristic_end_at_wall(WallSide side, double speed,
                                       CharacteristicEnd& characteristic_end) const;
-  void normalise_visit_areas();
-  void find_continuations_at_walls(std::vector<Characteristic>& tracks) const;
+  void normalise_characteristic_areas();
+  void find_characteristics_after_impacts(std::vector<Characteristic>& tracks) const;
 
   const PhasePlaneGrid& grid_;
   base::Deadline deadline_;

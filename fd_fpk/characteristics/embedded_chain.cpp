@@ -55,7 +55,7 @@ MarkovChainAggregation::MarkovChainAggregation(const PhasePlaneGrid& grid, int a
   set_disaggregation_weights(Eigen::VectorXd::Zero(grid.size() + atom_count));
 }
 
-void MarkovChainAggregation::set_block_chain(
+void MarkovChainAggregation::set_chain_of_cell_blocks(
     const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& step) {
   const int count = blocks_.size() + atoms_;
   Eigen::MatrixXd system(count, count);
@@ -115,10 +115,10 @@ void MarkovChainAggregation::apply_coarse_correction(Eigen::Ref<Eigen::VectorXd>
 
 namespace {
 
-class EmbeddedChain {
+class EmbeddedMarkovChain {
  public:
-  EmbeddedChain(const problem::Problem& problem, const PhasePlaneGrid& grid,
-                int characteristics_per_cell, const base::Deadline& deadline)
+  EmbeddedMarkovChain(const problem::Problem& problem, const PhasePlaneGrid& grid,
+                      int characteristics_per_cell, const base::Deadline& deadline)
       : grid_(grid),
         jumps_(cell_jump_matrices(grid.x2, problem.impulses.amplitude_law())),
         characteristics_(problem.system, grid, problem.impulses.arrival_rate(),
@@ -148,7 +148,8 @@ class EmbeddedChain {
   Eigen::VectorXd apply_jump(const Eigen::VectorXd& masses_before_impulse) const {
     Eigen::VectorXd masses_after_impulse = masses_before_impulse;
     const Eigen::VectorXd slopes =
-        has_slopes_ ? slopes_before_.velocity_slopes(masses_before_impulse) : Eigen::VectorXd();
+        has_slopes_ ? slopes_before_.density_velocity_slopes(masses_before_impulse)
+                    : Eigen::VectorXd();
     constexpr int kParts = 4;
     base::parallel_for(kParts, base::kOneThreadPerProcessor, [&](std::size_t k) {
       const auto part = static_cast<int>(k);
@@ -198,9 +199,10 @@ constexpr double kChainTolerance = 1e-10, kRoughChainTolerance = 1e-9;
 
 // Adds to q, of mass 1, the solution d, of mass 0, of d - A d + q (1, d) = A q - q, where A is a
 // step of the chain.
-void solve_chain_by_gmres(const EmbeddedChain& chain, const MarkovChainAggregation& aggregation,
-                          double tolerance, const base::Deadline& deadline,
-                          Eigen::VectorXd& masses_after_impulse, StationaryCellMasses& result) {
+void solve_chain_by_gmres(const EmbeddedMarkovChain& chain,
+                          const MarkovChainAggregation& aggregation, double tolerance,
+                          const base::Deadline& deadline, Eigen::VectorXd& masses_after_impulse,
+                          StationaryCellMasses& result) {
   const Eigen::VectorXd defect = chain.apply_step(masses_after_impulse) - masses_after_impulse;
   const double norm = defect.cwiseAbs().sum();
   if (norm <= tolerance) return;
@@ -237,29 +239,30 @@ StationaryCellMasses stationary_cell_masses(const problem::Problem& problem,
                                             const PhasePlaneGrid& grid,
                                             int characteristics_per_cell,
                                             const base::Deadline& deadline) {
-  EmbeddedChain chain(problem, grid, characteristics_per_cell, deadline);
+  EmbeddedMarkovChain chain(problem, grid, characteristics_per_cell, deadline);
   const auto& characteristics = chain.characteristics();
   const auto& points = characteristics.rest_points();
   if (const std::string why = characteristics.failure_reason(); !why.empty()) {
     return {.masses = std::nullopt,
             .failure = why,
-            .visits = static_cast<long>(characteristics.cell_visits().size())};
+            .visits = static_cast<long>(characteristics.characteristic_cell_visits().size())};
   }
-  const auto atoms = static_cast<int>(characteristics.contact_rest_point_indices().size());
+  const auto atoms = static_cast<int>(characteristics.indices_of_rest_points_in_contact().size());
   MarkovChainAggregation aggregation(grid, atoms, max_block_count(problem, scales));
   {
-    const EmbeddedChain block_chain(problem, aggregation.grid_of_cell_blocks(),
-                                    characteristics_per_cell, deadline);
+    const EmbeddedMarkovChain block_chain(problem, aggregation.coarse_grid_of_cell_blocks(),
+                                          characteristics_per_cell, deadline);
     if (const std::string why = block_chain.characteristics().failure_reason(); !why.empty()) {
       return {.masses = std::nullopt, .failure = why};
     }
-    aggregation.set_block_chain([&](const Eigen::VectorXd& masses_after_impulse) {
+    aggregation.set_chain_of_cell_blocks([&](const Eigen::VectorXd& masses_after_impulse) {
       return block_chain.apply_step(masses_after_impulse);
     });
   }
-  StationaryCellMasses result{.masses = std::nullopt,
-                              .rest = points,
-                              .visits = static_cast<long>(characteristics.cell_visits().size())};
+  StationaryCellMasses result{
+      .masses = std::nullopt,
+      .rest = points,
+      .visits = static_cast<long>(characteristics.characteristic_cell_visits().size())};
   // The initial state is the oscillator at rest; without a rest point, the uniform distribution.
   Eigen::VectorXd start = Eigen::VectorXd::Zero(grid.size() + atoms);
   for (const RestPoint& point : points) {
@@ -294,7 +297,8 @@ StationaryCellMasses stationary_cell_masses(const problem::Problem& problem,
     result.at_rest.push_back(mass);
   }
   for (int k = 0; k < atoms; ++k) {
-    result.at_rest[characteristics.contact_rest_point_indices()[k]] = masses(grid.size() + k);
+    result.at_rest[characteristics.indices_of_rest_points_in_contact()[k]] =
+        masses(grid.size() + k);
   }
   return result;
 }

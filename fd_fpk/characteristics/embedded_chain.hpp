@@ -26,10 +26,10 @@ class MarkovChainAggregation {
   /// blocks.
   MarkovChainAggregation(const PhasePlaneGrid& grid, int atom_count, int max_blocks);
 
-  const PhasePlaneGrid& grid_of_cell_blocks() const { return blocks_; }
+  const PhasePlaneGrid& coarse_grid_of_cell_blocks() const { return blocks_; }
 
   /// @param step function that applies one step of the embedded chain to the masses of the blocks
-  void set_block_chain(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& step);
+  void set_chain_of_cell_blocks(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& step);
   /// Sets the weights that distribute the mass of each block over the cells of the block, in
   /// proportion to the given masses of the cells.
   void set_disaggregation_weights(const Eigen::VectorXd& masses);
@@ -78,6 +78,6 @@ struct StationaryCellMasses {
 StationaryCellMasses stationary_cell_masses(
     const problem::Problem& problem, const problem::MotionScales& scales,
     const PhasePlaneGrid& grid, int characteristics_per_cell,
-    const base::Deadline& deadline = base::Deadline::unlimited());
+    const base::Deadline& deadline = base::Deadline::without_time_limit());
 
 }  // namespace fpkcheck::fd_fpk

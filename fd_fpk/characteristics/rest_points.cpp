@@ -34,7 +34,7 @@ SmallAmplitudeHalfCycle small_half_cycle(const DeterministicFlow& flow, WallSide
     if (left < kAtRest * kAtRest * speed * speed / 2) return creeping;
     double span = flow.max_time_step(state, flow.accessible_displacements(state)) / kFiner;
     PhaseState end = flow.advance_state(state, span);
-    const bool impact = flow.passed_wall(end.y) == side;
+    const bool impact = flow.wall_passed_by_displacement(end.y) == side;
     if (impact) {
       span = flow.impact_time(state, span, side);
       end = {wall, flow.advance_state(state, span).v};
@@ -174,7 +174,7 @@ double contraction_rate_of_attractors(const DeterministicFlow& flow) {
   return largest;
 }
 
-double relative_uniform_cell_radius(double deviation, double typical_amplitude) {
+double uniform_cell_radius_at_rest_point(double deviation, double typical_amplitude) {
   constexpr double kCore = 1e-3;
   const double ratio = std::min(1.0, deviation / typical_amplitude);
   return kCore * ratio * ratio;

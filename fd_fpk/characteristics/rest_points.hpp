@@ -4,12 +4,12 @@
 #include <vector>
 
 #include "fd_fpk/axis/grid.hpp"
-#include "fd_fpk/characteristics/flow.hpp"
+#include "fd_fpk/characteristics/deterministic_motion.hpp"
 
 namespace fpkcheck::fd_fpk {
 
 /// Index of a grid cell, and the fraction of the mass at a rest point that the cell contains.
-struct RestMassShare {
+struct RestMassFractionInCell {
   int cell;
   double share;
 };
@@ -24,7 +24,7 @@ struct RestPoint {
   /// Innermost grid cells around a rest point of the motion. The mass in slow motion about an
   /// equilibrium is distributed over the innermost cells in proportion to the time that the motion
   /// spends in each cell. Motion that starts in the innermost cells of a contact comes to rest.
-  std::vector<RestMassShare> cells = {};
+  std::vector<RestMassFractionInCell> cells = {};
   /// Energy below which motion does not leave the innermost grid cells of an equilibrium
   double escape_energy = 0;
   /// Impacts per unit time of the residual motion at an equilibrium at a wall
@@ -48,9 +48,9 @@ double contraction_rate_of_attractors(const DeterministicFlow& flow);
 /// have a constant width. Under rare impulses most of the mass is at rest in the innermost cells.
 /// The mean displacement is then proportional to s^2 / A, with the standard deviation s of the
 /// displacement. The cells of constant width are a thousandth of the mean displacement wide. The
-/// narrowest bins of the comparison of methods have the width 8e-4 s (compare/comparison_axes.cpp)
+/// narrowest bins of the comparison of methods have the width 8e-4 s (compare/comparison_bins.cpp)
 /// and are wider than the cells of constant width.
-double relative_uniform_cell_radius(double deviation, double typical_amplitude);
+double uniform_cell_radius_at_rest_point(double deviation, double typical_amplitude);
 
 /// Cascade of impacts by which motion that starts at a wall comes to rest in contact. During the
 /// cascade the acceleration a towards the wall is nearly constant. If the first impact speed is u

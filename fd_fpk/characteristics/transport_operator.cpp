@@ -15,8 +15,8 @@ namespace fpkcheck::fd_fpk {
 // Returns the weights of the masses m_i in the slope of each cell. The slope of the middle cell is
 // the derivative of the parabola through the densities m_i / h_i of three cells, times the cell
 // width h.
-std::vector<DensitySlopeReconstruction::Weights> DensitySlopeReconstruction::slope_weights(
-    const GridAxis& axis) {
+std::vector<DensitySlopeReconstruction::Weights>
+DensitySlopeReconstruction::slope_difference_weights(const GridAxis& axis) {
   std::vector<Weights> weights(axis.cell_count(), Weights{0, 0, 0});
   for (int i = 0; i < axis.cell_count(); ++i) {
     const double h = axis.cell_width(i);
@@ -42,8 +42,8 @@ std::vector<DensitySlopeReconstruction::Weights> DensitySlopeReconstruction::slo
 DensitySlopeReconstruction::DensitySlopeReconstruction(const PhasePlaneGrid& grid,
                                                        const std::vector<RestPoint>& points)
     : grid_(grid),
-      of_y_(slope_weights(grid.x1)),
-      of_v_(slope_weights(grid.x2)),
+      of_y_(slope_difference_weights(grid.x1)),
+      of_v_(slope_difference_weights(grid.x2)),
       at_rest_(static_cast<std::size_t>(grid.size()), false),
       limits_y_(Eigen::VectorXd::Ones(grid.size())),
       limits_v_(Eigen::VectorXd::Ones(grid.size())) {
@@ -52,7 +52,8 @@ DensitySlopeReconstruction::DensitySlopeReconstruction(const PhasePlaneGrid& gri
   }
 }
 
-Eigen::VectorXd DensitySlopeReconstruction::velocity_slopes(const Eigen::VectorXd& masses) const {
+Eigen::VectorXd DensitySlopeReconstruction::density_velocity_slopes(
+    const Eigen::VectorXd& masses) const {
   const int nv = grid_.v_cell_count();
   Eigen::VectorXd slopes(grid_.size());
   for (int i = 0; i < grid_.nx(); ++i) {
@@ -70,7 +71,8 @@ Eigen::VectorXd DensitySlopeReconstruction::velocity_slopes(const Eigen::VectorX
 
 DensitySlopesInCells DensitySlopeReconstruction::operator()(const Eigen::VectorXd& masses) const {
   const int nx = grid_.nx(), nv = grid_.v_cell_count();
-  DensitySlopesInCells slopes{.y = Eigen::VectorXd(grid_.size()), .v = velocity_slopes(masses)};
+  DensitySlopesInCells slopes{.y = Eigen::VectorXd(grid_.size()),
+                              .v = density_velocity_slopes(masses)};
   for (int i = 0; i < nx; ++i) {
     const auto& [below, centre, above] = of_y_[i];
     for (int j = 0; j < nv; ++j) {
@@ -105,7 +107,7 @@ namespace {
 
 // Data of one grid cell, contiguous in memory, since the visits of characteristics access the cells
 // in no regular order.
-struct CellMass {
+struct CellMassAndSlopes {
   double mass, slope_y, slope_v;
   double ended = 0;
 };
@@ -122,7 +124,7 @@ class TransportedMassSums {
         at_rest_(characteristics.rest_points().size(), 0.0),
         entering_(characteristics.characteristics_from_walls().size(), 0.0) {
     const auto contacts =
-        static_cast<Eigen::Index>(characteristics.contact_rest_point_indices().size());
+        static_cast<Eigen::Index>(characteristics.indices_of_rest_points_in_contact().size());
     const Eigen::Index count = masses.size() - contacts;
     cells_.reserve(static_cast<std::size_t>(count));
     for (Eigen::Index n = 0; n < count; ++n) {
@@ -139,7 +141,8 @@ class TransportedMassSums {
   }
 
   // Adds a mass that was at rest in contact until an impulse.
-  void add_mass_from_contact(int point, const ContactImpulseDistribution& departures, double mass) {
+  void add_mass_from_contact(int point, const RestMassDistributionAfterImpulse& departures,
+                             double mass) {
     for (std::size_t n = 0; n < entering_.size(); ++n) entering_[n] += departures.shares[n] * mass;
     at_rest_[point] += departures.rest_fraction * mass;
     add_impacts(*characteristics_.rest_points()[point].contact, 0, departures.momentum * mass,
@@ -177,7 +180,7 @@ class TransportedMassSums {
     for (std::size_t k = 0; k < at_rest_.size(); ++k) at_rest_[k] += other.at_rest_[k];
     for (std::size_t n = 0; n < entering_.size(); ++n) entering_[n] += other.entering_[n];
     for (const WallSide side : {WallSide::left, WallSide::right}) {
-      const WallImpactSums& sums = other.impacts_.impact_sums_at(side);
+      const WallImpactSums& sums = other.impacts_.impact_sums_at_wall(side);
       add_impacts(side, sums.number, sums.momentum, sums.energy);
     }
   }
@@ -185,7 +188,7 @@ class TransportedMassSums {
   // Returns the masses of p in the cells and at rest in contact, and the continuing masses.
   TransportOperator::TransportedMasses transported_masses() && {
     const auto& rest = characteristics_.rest_points();
-    const auto& contacts = characteristics_.contact_rest_point_indices();
+    const auto& contacts = characteristics_.indices_of_rest_points_in_contact();
     const auto count = static_cast<Eigen::Index>(cells_.size());
     Eigen::VectorXd ended(count + static_cast<Eigen::Index>(contacts.size()));
     for (Eigen::Index n = 0; n < count; ++n) ended(n) = cells_[static_cast<std::size_t>(n)].ended;
@@ -208,21 +211,21 @@ class TransportedMassSums {
   static constexpr std::false_type kExcludeSources{};
 
   void add_impacts(WallSide side, double number, double momentum, double energy) {
-    WallImpactSums& sums = impacts_.impact_sums_at(side);
+    WallImpactSums& sums = impacts_.impact_sums_at_wall(side);
     sums.number += number;
     sums.momentum += momentum;
     sums.energy += energy;
   }
 
   double mass_starting_in_visit(const CharacteristicCellVisit& visit) const {
-    const CellMass& cell = cells_[visit.cell];
+    const CellMassAndSlopes& cell = cells_[visit.cell];
     return visit.share * (cell.mass + cell.slope_y * visit.y + cell.slope_v * visit.v);
   }
 
   template <bool with_sources>
   double mass_at_track_end(const Characteristic& track, double mass,
                            std::bool_constant<with_sources>) {
-    const auto& visits = characteristics_.cell_visits();
+    const auto& visits = characteristics_.characteristic_cell_visits();
     for (std::size_t n = track.first; n < track.last; ++n) {
       const CharacteristicCellVisit& visit = visits[n];
       const double begins = with_sources ? mass_starting_in_visit(visit) : 0;
@@ -261,14 +264,14 @@ class TransportedMassSums {
       add_impacts(*characteristic_end.wall, mass, characteristic_end.speed * mass,
                   characteristic_end.speed * characteristic_end.speed * mass);
     } else if (track.last > track.first) {
-      continuing_(characteristics_.cell_visits()[track.last - 1].cell) += mass;
+      continuing_(characteristics_.characteristic_cell_visits()[track.last - 1].cell) += mass;
     }
   }
 
   template <bool with_sources>
   void transport_masses_from_walls(std::bool_constant<with_sources> sources) {
     const auto& from_walls = characteristics_.characteristics_from_walls();
-    const auto& visits = characteristics_.cell_visits();
+    const auto& visits = characteristics_.characteristic_cell_visits();
     for (std::size_t n = 0; n < from_walls.size(); ++n) {
       const Characteristic& track = from_walls[n];
       const CharacteristicEnd& characteristic_end = track.characteristic_end;
@@ -301,7 +304,7 @@ class TransportedMassSums {
   }
 
   const Characteristics& characteristics_;
-  std::vector<CellMass> cells_;
+  std::vector<CellMassAndSlopes> cells_;
   Eigen::VectorXd continuing_;
   std::vector<double> at_rest_, entering_;
   ImpactSumsOfBothWalls impacts_;
@@ -312,7 +315,7 @@ class TransportedMassSums {
 TransportOperator::TransportOperator(const Characteristics& characteristics,
                                      const problem::ImpulseLaw& law)
     : characteristics_(characteristics),
-      contact_impulse_distributions_(characteristics.contact_impulse_distributions(law)) {
+      contact_impulse_distributions_(characteristics.rest_mass_distributions_after_impulse(law)) {
   const auto& from_boundary = characteristics.characteristics_from_boundary();
   std::vector<std::size_t> visit_counts{0};
   for (const Characteristic& track : from_boundary) {
@@ -336,7 +339,7 @@ TransportOperator::TransportedMasses TransportOperator::operator()(
   TransportedMassSums& sums = *parts[0];
   for (std::size_t part = 1; part < kParts; ++part) sums.add_sums(*parts[part]);
   sums.add_masses_at_rest();
-  const auto& contacts = characteristics_.contact_rest_point_indices();
+  const auto& contacts = characteristics_.indices_of_rest_points_in_contact();
   const Eigen::Index count = masses.size() - static_cast<Eigen::Index>(contacts.size());
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     sums.add_mass_from_contact(contacts[k], contact_impulse_distributions_[k],

@@ -28,7 +28,7 @@ class DensitySlopeReconstruction {
   DensitySlopeReconstruction(const PhasePlaneGrid& grid, const std::vector<RestPoint>& points);
 
   DensitySlopesInCells operator()(const Eigen::VectorXd& masses) const;
-  Eigen::VectorXd velocity_slopes(const Eigen::VectorXd& masses) const;
+  Eigen::VectorXd density_velocity_slopes(const Eigen::VectorXd& masses) const;
 
   /// Sets a limiting factor for the slopes of each cell, such that the density reconstructed from
   /// the given masses is nonnegative. All later reconstructions of slopes use these limiting
@@ -40,7 +40,7 @@ class DensitySlopeReconstruction {
   struct Weights {
     double below, centre, above;
   };
-  static std::vector<Weights> slope_weights(const GridAxis& axis);
+  static std::vector<Weights> slope_difference_weights(const GridAxis& axis);
 
   const PhasePlaneGrid& grid_;
   std::vector<Weights> of_y_, of_v_;
@@ -57,8 +57,10 @@ struct WallImpactSums {
 };
 struct ImpactSumsOfBothWalls {
   WallImpactSums left, right;
-  WallImpactSums& impact_sums_at(WallSide side) { return side == WallSide::left ? left : right; }
-  const WallImpactSums& impact_sums_at(WallSide side) const {
+  WallImpactSums& impact_sums_at_wall(WallSide side) {
+    return side == WallSide::left ? left : right;
+  }
+  const WallImpactSums& impact_sums_at_wall(WallSide side) const {
     return side == WallSide::left ? left : right;
   }
 };
@@ -99,7 +101,7 @@ class TransportOperator {
 
  private:
   const Characteristics& characteristics_;
-  std::vector<ContactImpulseDistribution> contact_impulse_distributions_;
+  std::vector<RestMassDistributionAfterImpulse> contact_impulse_distributions_;
   // The characteristics from the boundary form parts with similar numbers of visits, which the
   // operator adds up in parallel. Part k contains the characteristics from part_bounds_[k] to
   // part_bounds_[k + 1] - 1. The number of parts does not depend on the number of processors, so

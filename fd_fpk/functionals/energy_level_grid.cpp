@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "numerics/interpolation.hpp"
+#include "numerics/chebyshev_interpolation.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -29,7 +29,7 @@ EnergyLevelGrid::EnergyLevelGrid(const problem::System& system,
                                  const problem::EffectivePotential& potential,
                                  const problem::HalfCycle& interval, double level,
                                  int displacement_count, int velocity_count,
-                                 const BackwardExcitation& excitation)
+                                 const BackwardEquationExcitation& excitation)
     : system_(system),
       potential_(potential),
       interval_(interval),
@@ -115,7 +115,7 @@ void EnergyLevelGrid::add_value_in_column(int i, double eta, double weight, int 
   const std::vector<double> weights = numerics::lagrange_weights(positions, eta);
   for (int j = low; j <= high; ++j) {
     if (j >= 0 && j < velocity_count()) {
-      entries.emplace_back(index(i, j), weight * weights[j - low]);
+      entries.emplace_back(grid_node_index(i, j), weight * weights[j - low]);
     }
   }
 }
@@ -145,20 +145,21 @@ void EnergyLevelGrid::add_value_at_wall(bool left, double eta, double weight,
 }
 
 // Adds the value of node j in a column, which may be a wall or a reflected column.
-void EnergyLevelGrid::add_node(int column, int j, double weight, Entries& entries) const {
+void EnergyLevelGrid::add_node_value(int column, int j, double weight, Entries& entries) const {
   const bool left = column < 0;
   if (!left && column < n_s_) {
-    entries.emplace_back(index(column, j), weight);
+    entries.emplace_back(grid_node_index(column, j), weight);
   } else if (left ? interval_.left_is_wall : interval_.right_is_wall) {
     add_value_at_wall(left, eta_[j], weight, entries);
   } else {
     const int reflected = left ? -1 - column : 2 * n_s_ - 1 - column;
-    entries.emplace_back(index(reflected, velocity_count() - 1 - j), weight);
+    entries.emplace_back(grid_node_index(reflected, velocity_count() - 1 - j), weight);
   }
 }
 
 // Adds the value at an eta in a column inside or in a reflected column.
-void EnergyLevelGrid::add_value(int column, double eta, double weight, Entries& entries) const {
+void EnergyLevelGrid::add_interpolated_value(int column, double eta, double weight,
+                                             Entries& entries) const {
   if (column < 0 || column >= n_s_) {
     column = column < 0 ? -1 - column : 2 * n_s_ - 1 - column;
     eta = -eta;
@@ -179,7 +180,7 @@ void EnergyLevelGrid::add_value_at_phase(double s, double eta, double weight,
   }
   const std::vector<double> weights = numerics::lagrange_weights(positions, s);
   for (int k = 0; k < kInterpolationNodes; ++k) {
-    add_value(begin + k, eta, weight * weights[k], entries);
+    add_interpolated_value(begin + k, eta, weight * weights[k], entries);
   }
 }
 
@@ -196,7 +197,7 @@ void EnergyLevelGrid::add_eta_derivative(int i, int j, int order, double weight,
   const auto weights = numerics::lagrange_derivative_weights(positions, eta_[j], order);
   for (int k = low; k <= high; ++k) {
     if (k >= 0 && k < velocity_count()) {
-      entries.emplace_back(index(i, k), weight * weights[k - low]);
+      entries.emplace_back(grid_node_index(i, k), weight * weights[k - low]);
     }
   }
 }
@@ -210,16 +211,19 @@ void EnergyLevelGrid::add_impulses(int i, int j, Entries& entries) const {
     const double from = std::max(pieces[piece], -w_[i] - v),
                  to = std::min(pieces[piece + 1], w_[i] - v);
     if (from >= to) continue;
-    const int panels = static_cast<int>(std::ceil((to - from) / law.deviation()));
+    const int panels =
+        static_cast<int>(std::ceil((to - from) / law.amplitude_standard_deviation()));
     for (const auto& [amplitude, weight] : numerics::composite_gauss_points<8>(from, to, panels)) {
-      add_value(i, (v + amplitude) / w_[i], rate * weight * law.density(amplitude), entries);
+      add_interpolated_value(i, (v + amplitude) / w_[i], rate * weight * law.density(amplitude),
+                             entries);
     }
   }
   for (const auto& [amplitude, probability] : law.amplitude_atoms()) {
     const double after = v + amplitude;
-    if (std::abs(after) < w_[i]) add_value(i, after / w_[i], rate * probability, entries);
+    if (std::abs(after) < w_[i])
+      add_interpolated_value(i, after / w_[i], rate * probability, entries);
   }
-  entries.emplace_back(index(i, j), -rate);
+  entries.emplace_back(grid_node_index(i, j), -rate);
 }
 
 SparseColumnMatrix EnergyLevelGrid::backward_matrix() const {
@@ -242,7 +246,7 @@ SparseColumnMatrix EnergyLevelGrid::backward_matrix() const {
       for (int k = first; k <= last; ++k) positions.push_back(column_position(k));
       const auto weights = numerics::lagrange_derivative_weights(positions, s, 1);
       for (int k = first; k <= last; ++k) {
-        add_node(k, j, v / slope * weights[k - first], entries);
+        add_node_value(k, j, v / slope * weights[k - first], entries);
       }
       const double rate =
           (eta * eta * static_force - system_.force(y_[i], v) + excitation_.drift) / w_[i];
@@ -254,7 +258,8 @@ SparseColumnMatrix EnergyLevelGrid::backward_matrix() const {
                            j + kUpstream, entries);
       }
       if (excitation_.impulse_rate > 0) add_impulses(i, j, entries);
-      for (const auto& [node, weight] : entries) triplets.emplace_back(index(i, j), node, weight);
+      for (const auto& [node, weight] : entries)
+        triplets.emplace_back(grid_node_index(i, j), node, weight);
     }
   }
   SparseColumnMatrix matrix(size(), size());
@@ -290,13 +295,13 @@ Eigen::VectorXd EnergyLevelGrid::integration_weights() const {
   }
   Eigen::VectorXd weights(size());
   for (int i = 0; i < n_s_; ++i) {
-    weights.segment(index(i, 0), n) =
+    weights.segment(grid_node_index(i, 0), n) =
         of_s(i) * displacement_slope(column_position(i)) * w_[i] * of_eta;
   }
   return weights;
 }
 
-Eigen::VectorXd EnergyLevelGrid::value_weights(double y, double v) const {
+Eigen::VectorXd EnergyLevelGrid::interpolation_weights_at_state(double y, double v) const {
   assert(std::abs(v) < speed_on_level(y));
   Entries entries;
   const double eta = v / speed_on_level(y);
@@ -322,14 +327,15 @@ Eigen::VectorXd EnergyLevelGrid::mean_after_impulse_weights(double y) const {
     for (const auto& [low, high] : {std::pair(-speed, 0.0), std::pair(0.0, speed)}) {
       const double from = std::max(pieces[piece], low), to = std::min(pieces[piece + 1], high);
       if (from >= to) continue;
-      const int panels = static_cast<int>(std::ceil((to - from) / law.deviation()));
+      const int panels =
+          static_cast<int>(std::ceil((to - from) / law.amplitude_standard_deviation()));
       for (const auto& [v, weight] : numerics::composite_gauss_points<8>(from, to, panels)) {
-        weights += weight * law.density(v) * value_weights(y, v);
+        weights += weight * law.density(v) * interpolation_weights_at_state(y, v);
       }
     }
   }
   for (const auto& [v, probability] : law.amplitude_atoms()) {
-    if (std::abs(v) < speed) weights += probability * value_weights(y, v);
+    if (std::abs(v) < speed) weights += probability * interpolation_weights_at_state(y, v);
   }
   return weights;
 }

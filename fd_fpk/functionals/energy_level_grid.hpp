@@ -12,7 +12,7 @@
 namespace fpkcheck::fd_fpk {
 
 /// Terms of the backward equation besides the motion: a drift and a diffusion of v, and impulses.
-struct BackwardExcitation {
+struct BackwardEquationExcitation {
   double drift = 0;
   double diffusion = 0;
   double impulse_rate = 0;  ///< 0 without impulses
@@ -37,13 +37,13 @@ class EnergyLevelGrid {
   /// @param velocity_count even number of nodes in eta
   EnergyLevelGrid(const problem::System& system, const problem::EffectivePotential& potential,
                   const problem::HalfCycle& interval, double level, int displacement_count,
-                  int velocity_count, const BackwardExcitation& excitation);
+                  int velocity_count, const BackwardEquationExcitation& excitation);
 
   int displacement_count() const { return n_s_; }
   int velocity_count() const { return static_cast<int>(eta_.size()); }
   int size() const { return n_s_ * velocity_count(); }
   /// Returns the index of node (i, j) in vectors.
-  int index(int i, int j) const { return i * velocity_count() + j; }
+  int grid_node_index(int i, int j) const { return i * velocity_count() + j; }
   double displacement(int i) const { return y_[i]; }
   double velocity(int i, int j) const { return w_[i] * eta_[j]; }
   /// Returns the largest speed below the level at the displacement y; 0 outside the interval of y.
@@ -56,7 +56,7 @@ class EnergyLevelGrid {
   /// Returns the weights of the nodes in the value T(y, v) of a state below the level. At a wall
   /// the velocity is that before an impact or after an impact.
   /// @pre abs(v) < speed_on_level(y)
-  Eigen::VectorXd value_weights(double y, double v) const;
+  Eigen::VectorXd interpolation_weights_at_state(double y, double v) const;
   /// Returns the weights of the nodes in the mean E[T] right after an impulse on a mass at rest at
   /// the displacement y.
   Eigen::VectorXd mean_after_impulse_weights(double y) const;
@@ -72,8 +72,8 @@ class EnergyLevelGrid {
   double column_position(int k) const;
   int first_column(bool with_wall) const;
   int last_column(bool with_wall) const;
-  void add_value(int column, double eta, double weight, Entries& entries) const;
-  void add_node(int column, int j, double weight, Entries& entries) const;
+  void add_interpolated_value(int column, double eta, double weight, Entries& entries) const;
+  void add_node_value(int column, int j, double weight, Entries& entries) const;
   void add_value_at_wall(bool left, double eta, double weight, Entries& entries) const;
   void add_value_in_column(int i, double eta, double weight, int first, int last,
                            Entries& entries) const;
@@ -87,7 +87,7 @@ class EnergyLevelGrid {
   problem::HalfCycle interval_;
   double level_;
   int n_s_;
-  BackwardExcitation excitation_;
+  BackwardEquationExcitation excitation_;
   std::vector<double> y_, w_;  // displacements, and speeds on the level
   std::vector<double> eta_;
   // Whether T is 0 at eta = -1 and at eta = 1: under diffusion, or where the motion crosses the

@@ -16,7 +16,7 @@
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stationary/error_estimate.hpp"
-#include "numerics/interpolation.hpp"
+#include "numerics/chebyshev_interpolation.hpp"
 #include "problem/motion_scales.hpp"
 #include "problem/problem_features.hpp"
 
@@ -29,13 +29,13 @@ using transform::Status;
 struct EnergyPassageProblem {
   const problem::Problem& problem;
   const FiniteVolumeOptions& options;
-  MotionScalesAndBox scales_and_box;
+  MotionScalesAndComputationalBox scales_and_box;
   problem::EffectivePotential potential;  // of the spring
   double level;
   problem::HalfCycle interval;  // interval of y in which the potential is below the level
-  BackwardExcitation excitation;
+  BackwardEquationExcitation excitation;
   std::optional<transform::PassageStartState> start;
-  double waiting_rate;  // as PassageStarts::waiting_rate
+  double waiting_rate;  // as PassageInitialConditions::waiting_rate
 };
 
 // Point values of a density from its cell averages, as derivatives of the cumulative distribution.
@@ -91,12 +91,12 @@ class DensityInterpolation {
 };
 
 // Returns the excitation of the backward equation.
-BackwardExcitation backward_excitation(const problem::Problem& problem,
-                                       const FiniteVolumeOptions& options) {
-  BackwardExcitation excitation{.diffusion = problem.noise.diffusion()};
+BackwardEquationExcitation backward_excitation(const problem::Problem& problem,
+                                               const FiniteVolumeOptions& options) {
+  BackwardEquationExcitation excitation{.diffusion = problem.noise.diffusion()};
   if (!problem.impulses.is_acting()) return excitation;
   if (options.equation == DensityEquation::white) {
-    const DiscreteExcitation white = white_noise_excitation(problem.impulses);
+    const DiscretisedExcitation white = white_noise_excitation(problem.impulses);
     excitation.drift = white.drift;
     excitation.diffusion += white.diffusion;
   } else {
@@ -130,7 +130,7 @@ EnergyLevelGrid make_energy_level_grid(const EnergyPassageProblem& passage, doub
   const double frequency = passage.scales_and_box.scales.frequency;
   double deviation = std::sqrt(2 * passage.excitation.diffusion * 2 * std::numbers::pi / frequency);
   if (passage.excitation.impulse_rate > 0) {
-    deviation = std::hypot(deviation, passage.excitation.law->deviation());
+    deviation = std::hypot(deviation, passage.excitation.law->amplitude_standard_deviation());
   }
   double lowest =
       std::min(passage.potential(passage.interval.left), passage.potential(passage.interval.right));
@@ -174,8 +174,9 @@ std::optional<transform::MeanPassageTimeMap> energy_mean_time_map(
     for (int j = 0; j < kRows; ++j) {
       const double v = (map.v_edges[j] + map.v_edges[j + 1]) / 2;
       const bool is_below = std::abs(v) < grid.speed_on_level(y);
-      map.averages.push_back(is_below ? grid.value_weights(y, v).dot(mean_passage_times_by_start)
-                                      : 0);
+      map.averages.push_back(
+          is_below ? grid.interpolation_weights_at_state(y, v).dot(mean_passage_times_by_start)
+                   : 0);
     }
   }
   return map;
@@ -185,7 +186,7 @@ PassageResultOnGrid energy_passage_on_grid(const EnergyPassageProblem& passage, 
                                            const std::vector<double>& times,
                                            const base::Deadline& deadline) {
   PassageResultOnGrid result;
-  ValuesOnGrid& level = result.values_on_grid;
+  FunctionalValuesOnGrid& level = result.values_on_grid;
   const DirectStationarySolution stationary =
       compute_direct_solution(passage.problem, passage.scales_and_box,
                               with_refined_cells(passage.options, refinement), deadline);
@@ -199,10 +200,10 @@ PassageResultOnGrid energy_passage_on_grid(const EnergyPassageProblem& passage, 
   level.nx = grid.displacement_count();
   level.nv = grid.velocity_count();
   const DensityInterpolation density(stationary.discretisation.grid, *stationary.averages);
-  PassageStarts starts{.from_stationary = grid.integration_weights()};
+  PassageInitialConditions starts{.from_stationary = grid.integration_weights()};
   for (int i = 0; i < level.nx; ++i) {
     for (int j = 0; j < level.nv; ++j) {
-      starts.from_stationary(grid.index(i, j)) *=
+      starts.from_stationary(grid.grid_node_index(i, j)) *=
           density(grid.displacement(i), grid.velocity(i, j));
     }
   }
@@ -210,13 +211,14 @@ PassageResultOnGrid energy_passage_on_grid(const EnergyPassageProblem& passage, 
   starts.from_stationary /= probability;
   if (const auto& start = passage.start) {
     starts.waiting_rate = passage.waiting_rate;
-    starts.from_point = passage.waiting_rate > 0 ? grid.mean_after_impulse_weights(start->y)
-                                                 : grid.value_weights(start->y, start->ydot);
+    starts.from_point = passage.waiting_rate > 0
+                            ? grid.mean_after_impulse_weights(start->y)
+                            : grid.interpolation_weights_at_state(start->y, start->ydot);
   }
   const FokkerPlanckOperator op{
       .local = grid.backward_matrix(), .exchange = {}, .areas = Eigen::VectorXd::Ones(grid.size())};
-  const ShiftedSystem system(op, nullptr, level.nv, kDefaultOrder,
-                             passage_shift(passage.scales_and_box.scales));
+  const ShiftedLinearSystem system(op, nullptr, level.nv, kDefaultOrder,
+                                   survival_resolvent_shift(passage.scales_and_box.scales));
   ReducedResolvent model(system, op.areas);
   Eigen::VectorXd values = compute_passage_values(model, starts, times, deadline, level.failure);
   if (values.size() == 0) return result;
@@ -259,7 +261,7 @@ transform::FirstPassageResult solve_energy_passage(
   with_order.order = options.order.value_or(automatic_scheme_order(transformed));
   if (!has_linearised_scales(transformed))
     with_order.wall_density *= box_edge_density_factor(transformed);
-  MotionScalesAndBox scales_and_box{.scales = problem::motion_scales(transformed)};
+  MotionScalesAndComputationalBox scales_and_box{.scales = problem::motion_scales(transformed)};
   scales_and_box.box = stationary_box(transformed, scales_and_box.scales, with_order, deadline);
   const auto rest =
       problem::rest_displacement(transformed, std::numeric_limits<double>::infinity());
@@ -268,7 +270,7 @@ transform::FirstPassageResult solve_energy_passage(
   const problem::EffectivePotential potential(transformed.system);
   if (start && start->ydot * start->ydot / 2 + potential(start->y) >= level) start.reset();
   const bool is_at_rest = start && rest && start->y == *rest && start->ydot == 0;
-  const BackwardExcitation excitation = backward_excitation(transformed, options);
+  const BackwardEquationExcitation excitation = backward_excitation(transformed, options);
   const bool waits = excitation.diffusion == 0 && is_at_rest;
   const EnergyPassageProblem below{.problem = transformed,
                                    .options = with_order,

@@ -18,13 +18,14 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-struct TimedValuesOnGrid : ValuesOnGrid {
+struct TimedFunctionalValuesOnGrid : FunctionalValuesOnGrid {
   double seconds = 0;
 };
 
 // Sets the differences between the last grids, and the error estimates.
-void estimate_errors(const std::vector<TimedValuesOnGrid>& levels, const Eigen::VectorXd& scales,
-                     int order, ConvergedValues& result) {
+void estimate_errors(const std::vector<TimedFunctionalValuesOnGrid>& levels,
+                     const Eigen::VectorXd& scales, int order,
+                     FunctionalValuesFromGridSequence& result) {
   const std::size_t n = levels.size();
   result.last_difference = (levels[n - 1].values - levels[n - 2].values).cwiseAbs();
   if (n >= 3) {
@@ -51,30 +52,30 @@ Eigen::VectorXd error_estimates(const Eigen::VectorXd& previous_difference,
   return Eigen::Map<const Eigen::VectorXd>(errors.data(), std::ssize(errors));
 }
 
-ConvergedValues converge_on_grids(
-    const std::function<ValuesOnGrid(double refinement)>& evaluate_on_grid, int order,
+FunctionalValuesFromGridSequence refine_grids_until_converged(
+    const std::function<FunctionalValuesOnGrid(double refinement)>& evaluate_on_grid, int order,
     double tolerance, const MagnitudeFunction& magnitudes, const base::Deadline& deadline) {
   constexpr double q = transform::kRefinementRatio;
   // Ratio of the computing times on successive grids
   constexpr double kTimeRatio = 3;
   const auto timed = [&](double refinement) {
     const base::Stopwatch stopwatch;
-    TimedValuesOnGrid level{evaluate_on_grid(refinement)};
+    TimedFunctionalValuesOnGrid level{evaluate_on_grid(refinement)};
     level.seconds = stopwatch.seconds();
     return level;
   };
-  ConvergedValues result;
-  std::vector<TimedValuesOnGrid> levels(2);
+  FunctionalValuesFromGridSequence result;
+  std::vector<TimedFunctionalValuesOnGrid> levels(2);
   base::parallel_for(2, base::kOneThreadPerProcessor,
                      [&](std::size_t k) { levels[k] = timed(k == 0 ? 1 / (q * q) : 1 / q); });
   const auto failed = std::ranges::find_if(
-      levels, [](const TimedValuesOnGrid& level) { return level.values.size() == 0; });
+      levels, [](const TimedFunctionalValuesOnGrid& level) { return level.values.size() == 0; });
   if (failed != levels.end()) {
     result.failure = failed->failure;
     return result;
   }
   for (double refinement = 1;; refinement *= q) {
-    const TimedValuesOnGrid& finest = levels.back();
+    const TimedFunctionalValuesOnGrid& finest = levels.back();
     result.values = finest.values;
     result.nx = finest.nx;
     result.nv = finest.nv;
@@ -87,7 +88,7 @@ ConvergedValues converge_on_grids(
       result.failure = "max_seconds would expire on a finer grid; increase max-seconds";
       return result;
     }
-    TimedValuesOnGrid next = timed(refinement);
+    TimedFunctionalValuesOnGrid next = timed(refinement);
     if (next.values.size() == 0) {  // `result` keeps the values of the coarser grids
       result.failure = next.failure;
       return result;
@@ -96,10 +97,9 @@ ConvergedValues converge_on_grids(
   }
 }
 
-ConvergedValues converge_on_grids(const problem::Problem& problem,
-                                  const FiniteVolumeOptions& options, double tolerance,
-                                  const StationaryFunctionals& functionals,
-                                  const MagnitudeFunction& magnitudes) {
+FunctionalValuesFromGridSequence refine_grids_until_converged(
+    const problem::Problem& problem, const FiniteVolumeOptions& options, double tolerance,
+    const StationaryFunctionals& functionals, const MagnitudeFunction& magnitudes) {
   // All grids have the same box, so that the differences between grids do not contain the
   // truncation error of the box. The box of functionals is therefore wider than the box of a
   // stationary density. In case 1, a box wider than the box of functionals changes E[y'^4] by a
@@ -111,7 +111,7 @@ ConvergedValues converge_on_grids(const problem::Problem& problem,
   FiniteVolumeOptions on_grid = options;
   on_grid.wall_density *= kEdgeDensityFactor;
   on_grid.order = options.order.value_or(automatic_scheme_order(problem));
-  MotionScalesAndBox scales_and_box{.scales = problem::motion_scales(problem)};
+  MotionScalesAndComputationalBox scales_and_box{.scales = problem::motion_scales(problem)};
   if (!has_linearised_scales(problem)) on_grid.wall_density *= box_edge_density_factor(problem);
   scales_and_box.box = stationary_box(problem, scales_and_box.scales, on_grid, deadline);
   on_grid.x1_max = scales_and_box.box->x1_max;
@@ -123,11 +123,11 @@ ConvergedValues converge_on_grids(const problem::Problem& problem,
   if (failure.empty()) failure = check_well_posedness(problem, on_grid, first).ill_posed_reason;
   if (!failure.empty()) return {.failure = failure};
 
-  const auto evaluate_on_grid = [&](double refinement) -> ValuesOnGrid {
+  const auto evaluate_on_grid = [&](double refinement) -> FunctionalValuesOnGrid {
     DirectStationarySolution direct_solution = compute_direct_solution(
         problem, scales_and_box, with_refined_cells(on_grid, refinement), deadline);
-    ValuesOnGrid level{.nx = direct_solution.discretisation.grid.nx(),
-                       .nv = direct_solution.discretisation.grid.v_cell_count()};
+    FunctionalValuesOnGrid level{.nx = direct_solution.discretisation.grid.nx(),
+                                 .nv = direct_solution.discretisation.grid.v_cell_count()};
     if (direct_solution.averages && !direct_solution.converged) {
       level.failure = "GMRES did not find the stationary density; use another grid";
     } else if (direct_solution.averages) {
@@ -137,8 +137,8 @@ ConvergedValues converge_on_grids(const problem::Problem& problem,
     }
     return level;
   };
-  return converge_on_grids(evaluate_on_grid, transport_order(on_grid), tolerance, magnitudes,
-                           deadline);
+  return refine_grids_until_converged(evaluate_on_grid, transport_order(on_grid), tolerance,
+                                      magnitudes, deadline);
 }
 
 }  // namespace fpkcheck::fd_fpk

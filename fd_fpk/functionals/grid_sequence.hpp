@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/process/stopwatch.hpp"
-#include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/operator/phase_plane_discretisation.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "problem/problem.hpp"
@@ -14,7 +14,7 @@
 namespace fpkcheck::fd_fpk {
 
 /// Values of functionals, computed on a sequence of grids.
-struct ConvergedValues {
+struct FunctionalValuesFromGridSequence {
   Eigen::VectorXd values = {};  ///< values on the finest grid; empty without a solution
   Eigen::VectorXd errors = {};  ///< estimated discretisation errors of the values
   /// Absolute difference of the values on the last two grids, and on the two grids before the last
@@ -34,7 +34,7 @@ Eigen::VectorXd error_estimates(const Eigen::VectorXd& previous_difference,
                                 const Eigen::VectorXd& scales, int order);
 
 /// Values on one grid.
-struct ValuesOnGrid {
+struct FunctionalValuesOnGrid {
   Eigen::VectorXd values = {};
   int nx = 0, nv = 0;
   std::string failure = {};  ///< reason why `values` is empty
@@ -51,8 +51,8 @@ using MagnitudeFunction = std::function<Eigen::VectorXd(const Eigen::VectorXd& v
 /// divided by `refinement`; two threads may call the function at the same time
 /// @param order order of the scheme
 /// @param tolerance relative error at which no finer grid is tried
-ConvergedValues converge_on_grids(
-    const std::function<ValuesOnGrid(double refinement)>& evaluate_on_grid, int order,
+FunctionalValuesFromGridSequence refine_grids_until_converged(
+    const std::function<FunctionalValuesOnGrid(double refinement)>& evaluate_on_grid, int order,
     double tolerance, const MagnitudeFunction& magnitudes, const base::Deadline& deadline);
 
 /// Function that computes the values from the stationary solution on one grid. If the returned
@@ -61,11 +61,11 @@ using StationaryFunctionals =
     std::function<Eigen::VectorXd(DirectStationarySolution& direct_solution,
                                   const base::Deadline& deadline, std::string& failure)>;
 
-/// Computes functionals of the generator and of the stationary density by converge_on_grids().
+/// Computes functionals of the generator and of the stationary density by
+/// refine_grids_until_converged().
 /// @pre unsupported_reason() and transient_unsupported_reason() are empty
-ConvergedValues converge_on_grids(const problem::Problem& problem,
-                                  const FiniteVolumeOptions& options, double tolerance,
-                                  const StationaryFunctionals& functionals,
-                                  const MagnitudeFunction& magnitudes);
+FunctionalValuesFromGridSequence refine_grids_until_converged(
+    const problem::Problem& problem, const FiniteVolumeOptions& options, double tolerance,
+    const StationaryFunctionals& functionals, const MagnitudeFunction& magnitudes);
 
 }  // namespace fpkcheck::fd_fpk

@@ -12,7 +12,7 @@
 #include "fd_fpk/applicability.hpp"
 #include "fd_fpk/functionals/passage_values.hpp"
 #include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/error_estimate.hpp"
@@ -26,7 +26,7 @@ namespace {
 using transform::Status;
 
 // Data of a first-passage problem.
-struct PassageProblem {
+struct FirstPassageProblem {
   const problem::Problem& problem;
   const FiniteVolumeOptions& options;
   const problem::MotionScales& scales;
@@ -41,12 +41,12 @@ struct PassageProblem {
 
 // Returns the cells below the barrier, and the cells of the stationary density: the same cells,
 // continued beyond the barrier.
-struct PassageGrids {
+struct GridsBelowAndBeyondBarrier {
   PhasePlaneGrid below, whole;
 };
-std::optional<PassageGrids> make_passage_grids(const PassageProblem& passage,
-                                               const FiniteVolumeOptions& options,
-                                               std::string& failure) {
+std::optional<GridsBelowAndBeyondBarrier> make_passage_grids(const FirstPassageProblem& passage,
+                                                             const FiniteVolumeOptions& options,
+                                                             std::string& failure) {
   PhasePlaneBox box = passage.box;
   box.x1_max = passage.barrier;
   FiniteVolumeOptions to_barrier = options;
@@ -79,8 +79,9 @@ std::optional<PassageGrids> make_passage_grids(const PassageProblem& passage,
   faces.push_back(end);
   const auto right =
       passage.problem.system.right_wall() ? AxisEndCondition::boundary : AxisEndCondition::vacuum;
-  return PassageGrids{{x1.with_right_end_condition(AxisEndCondition::barrier), below.grid.x2},
-                      {GridAxis(std::move(faces), x1.left_end_condition(), right), below.grid.x2}};
+  return GridsBelowAndBeyondBarrier{
+      {x1.with_right_end_condition(AxisEndCondition::barrier), below.grid.x2},
+      {GridAxis(std::move(faces), x1.left_end_condition(), right), below.grid.x2}};
 }
 
 // Returns the row of weights that evaluates cell averages at a position of an axis.
@@ -97,7 +98,7 @@ Eigen::RowVectorXd point_value_weights(const GridAxis& axis, int order, double x
 // Returns the weights of the velocity cells in the mean of a function of the velocity right after
 // the first impulse on a mass at rest. A wall at the position of the mass reflects the velocity of
 // impulses towards the wall.
-Eigen::RowVectorXd mean_after_first_impulse_weights(const PassageProblem& passage,
+Eigen::RowVectorXd mean_after_first_impulse_weights(const FirstPassageProblem& passage,
                                                     const GridAxis& x2, int order) {
   constexpr int kParts = 8;  // number of parts of a cell; the centre of each part has a value
   std::vector<double> centres;
@@ -136,8 +137,8 @@ Eigen::RowVectorXd mean_after_first_impulse_weights(const PassageProblem& passag
 // Returns the functional of cell averages that evaluates the survival probability or the mean
 // passage time at the initial state. From rest under impulses, the functional evaluates the mean
 // over the states after the first impulse.
-Eigen::VectorXd start_value_functional(const PassageProblem& passage, const PhasePlaneGrid& grid,
-                                       int order) {
+Eigen::VectorXd start_value_functional(const FirstPassageProblem& passage,
+                                       const PhasePlaneGrid& grid, int order) {
   const Eigen::RowVectorXd of_x1 = point_value_weights(grid.x1, order, passage.start->y);
   const Eigen::RowVectorXd of_x2 = passage.waiting_rate > 0
                                        ? mean_after_first_impulse_weights(passage, grid.x2, order)
@@ -148,7 +149,7 @@ Eigen::VectorXd start_value_functional(const PassageProblem& passage, const Phas
 
 // Returns the mean times from the starts in all cells below the barrier, in physical coordinates.
 // @pre the wall frame is not mirrored
-transform::MeanPassageTimeMap mean_time_map(const PassageProblem& passage,
+transform::MeanPassageTimeMap mean_time_map(const FirstPassageProblem& passage,
                                             const PhasePlaneGrid& below,
                                             const ReducedResolvent& model) {
   const problem::WallFrame& frame = passage.problem.frame;
@@ -162,14 +163,14 @@ transform::MeanPassageTimeMap mean_time_map(const PassageProblem& passage,
   return map;
 }
 
-PassageResultOnGrid passage_on_grid(const PassageProblem& passage, double refinement,
+PassageResultOnGrid passage_on_grid(const FirstPassageProblem& passage, double refinement,
                                     const std::vector<double>& times, double shift,
                                     const base::Deadline& deadline) {
   const problem::Problem& problem = passage.problem;
   const FiniteVolumeOptions options = with_refined_cells(passage.options, refinement);
   const int order = transport_order(options);
   PassageResultOnGrid result;
-  ValuesOnGrid& level = result.values_on_grid;
+  FunctionalValuesOnGrid& level = result.values_on_grid;
   const auto grids = make_passage_grids(passage, options, level.failure);
   if (!grids) return result;
   const auto& [below, whole] = *grids;
@@ -205,10 +206,10 @@ PassageResultOnGrid passage_on_grid(const PassageProblem& passage, double refine
   Preconditioner preconditioner(problem.system, passage.scales.slowest_decay_rate,
                                 of_below.excitation, options.impact, below, order);
   // The vector exp(L^T t) areas is the survival probability times the cell areas.
-  const ShiftedSystem system(op, &preconditioner, below.v_cell_count(), order, shift,
-                             Transposed::yes);
+  const ShiftedLinearSystem system(op, &preconditioner, below.v_cell_count(), order, shift,
+                                   OperatorTransposition::yes);
   ReducedResolvent model(system, areas);
-  PassageStarts starts{
+  PassageInitialConditions starts{
       .from_point = {}, .from_stationary = p / probability, .waiting_rate = passage.waiting_rate};
   if (passage.start) {
     starts.from_point = start_value_functional(passage, below, order).cwiseQuotient(areas);
@@ -252,9 +253,10 @@ PhasePlaneBox passage_box(const problem::Problem& problem, const problem::Motion
   const double speed = std::sqrt(2 * energy);
   const double restitution = wall ? std::max(0.1, wall->restitution_at_speed(speed)) : 1;
   const auto& law = problem.impulses.amplitude_law();
-  const double of_impulse = problem.impulses.is_acting()
-                                ? std::abs(law.mean()) + kImpulseDeviations * law.deviation()
-                                : 0;
+  const double of_impulse =
+      problem.impulses.is_acting()
+          ? std::abs(law.mean()) + kImpulseDeviations * law.amplitude_standard_deviation()
+          : 0;
   box.x2_max = std::max(box.x2_max, speed / restitution + of_impulse);
   box.x1_max = std::max(box.x1_max, barrier + kBeyond * scales.displacement_deviation);
   if (const auto& right = problem.system.right_wall()) box.x1_max = right->position;
@@ -272,7 +274,7 @@ transform::FirstPassageResult solve_passage(const problem::Problem& problem,
   transform::FirstPassageResult passage{.id = solution_id(options)};
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  const double level = transformed.frame.wall_x(barrier);
+  const double level = transformed.frame.wall_coordinate(barrier);
   passage.reason = transient_unsupported_reason(transformed, options);
   if (passage.reason.empty()) {
     passage.reason = problem::barrier_unsupported_reason(transformed, level);
@@ -292,7 +294,7 @@ transform::FirstPassageResult solve_passage(const problem::Problem& problem,
   const bool is_at_rest = start && rest && start->y == *rest && start->ydot == 0;
   const bool waits = transformed.impulses.is_acting() && !transformed.noise.is_acting() &&
                      options.equation == DensityEquation::kf;
-  const PassageProblem below{
+  const FirstPassageProblem below{
       .problem = transformed,
       .options = with_order,
       .scales = scales,
@@ -305,7 +307,7 @@ transform::FirstPassageResult solve_passage(const problem::Problem& problem,
     passage.reason = "the stationary probability below the barrier is negligible";
     return passage;
   }
-  const double shift = passage_shift(scales);
+  const double shift = survival_resolvent_shift(scales);
   solve_passage_on_grids(
       [&](double refinement, const std::vector<double>& at) {
         return passage_on_grid(below, refinement, at, shift, deadline);

@@ -16,7 +16,7 @@ namespace fpkcheck::fd_fpk {
 /// for the survival probability T, in a Krylov space of the transposed matrix of finite volumes.
 /// Motion that crosses the barrier is absorbed. The stationary density, computed on the same cells
 /// and on further cells beyond the barrier, gives the stationary initial density and Rice's rate.
-/// The errors follow from three or more grids (ConvergedValues).
+/// The errors follow from three or more grids (FunctionalValuesFromGridSequence).
 /// @param times times of the survival probabilities; automatic times if empty
 /// @param start initial state of FirstPassageResult::mean_from_point; if empty, the initial state
 /// is at rest

@@ -41,7 +41,7 @@ Eigen::VectorXd survival_probabilities(const ReducedResolvent::Modes& modes,
   return values;
 }
 
-Eigen::VectorXd passage_values(ReducedResolvent& model, const PassageStarts& starts,
+Eigen::VectorXd passage_values(ReducedResolvent& model, const PassageInitialConditions& starts,
                                const std::vector<double>& times) {
   const Eigen::VectorXcd origin = Eigen::VectorXcd::Zero(1);
   const auto n = static_cast<Eigen::Index>(times.size());
@@ -90,14 +90,15 @@ Eigen::VectorXd krylov_errors(const Eigen::VectorXd& values) {
 
 }  // namespace
 
-Eigen::VectorXd compute_passage_values(ReducedResolvent& model, const PassageStarts& starts,
+Eigen::VectorXd compute_passage_values(ReducedResolvent& model,
+                                       const PassageInitialConditions& starts,
                                        const std::vector<double>& times,
                                        const base::Deadline& deadline, std::string& failure) {
   constexpr int kStep = 10, kMost = 120;
   Eigen::VectorXd last;
   bool agree = false;
   while (!agree && model.size() < kMost) {
-    if (!model.add_basis_vectors(kStep, deadline)) {
+    if (!model.add_krylov_basis_vectors(kStep, deadline)) {
       failure = model.failure_reason();
       return {};
     }
@@ -130,7 +131,7 @@ void solve_passage_on_grids(const SolvePassageOnGrid& solve_on_grid,
                             transform::FirstPassageResult& passage) {
   if (times.empty()) {
     constexpr double kCoarse = 0.5;
-    const ValuesOnGrid coarse = solve_on_grid(kCoarse, {}).values_on_grid;
+    const FunctionalValuesOnGrid coarse = solve_on_grid(kCoarse, {}).values_on_grid;
     if (coarse.values.size() == 0) {
       passage.reason = coarse.failure;
       return;
@@ -149,9 +150,9 @@ void solve_passage_on_grids(const SolvePassageOnGrid& solve_on_grid,
     }
     return std::move(result.values_on_grid);
   };
-  const ConvergedValues converged =
-      converge_on_grids(evaluate, kObservedOrder, kPassageTargetFraction * options.accuracy,
-                        passage_magnitudes, deadline);
+  const FunctionalValuesFromGridSequence converged = refine_grids_until_converged(
+      evaluate, kObservedOrder, kPassageTargetFraction * options.accuracy, passage_magnitudes,
+      deadline);
   if (converged.values.size() == 0) {
     passage.mean_passage_times_by_start.reset();
     passage.reason = converged.failure;

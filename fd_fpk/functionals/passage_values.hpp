@@ -30,7 +30,7 @@ enum PassageValue {
 };
 
 /// Initial conditions of a passage, as functionals of the survival probability on a grid.
-struct PassageStarts {
+struct PassageInitialConditions {
   /// Functional of the initial state; empty without an initial state. From rest under impulses, the
   /// functional is the mean over the states after the first impulse.
   std::optional<Eigen::VectorXd> from_point = {};
@@ -44,20 +44,21 @@ struct PassageStarts {
 /// the Krylov space of a model of the survival probability. The Krylov space grows until the values
 /// of two successive spaces agree. Rice's rate and the probability below the barrier are 0.
 /// @return the values; empty with a reason in `failure`
-Eigen::VectorXd compute_passage_values(ReducedResolvent& model, const PassageStarts& starts,
+Eigen::VectorXd compute_passage_values(ReducedResolvent& model,
+                                       const PassageInitialConditions& starts,
                                        const std::vector<double>& times,
                                        const base::Deadline& deadline, std::string& failure);
 
 /// Returns the shift of the Krylov space. Smaller shifts slow down the convergence of the survival
 /// probability at short times; larger shifts slow down the convergence of the hazard.
-inline double passage_shift(const problem::MotionScales& scales) {
+inline double survival_resolvent_shift(const problem::MotionScales& scales) {
   constexpr double kShift = 4;
   return kShift * scales.velocity_deviation / scales.displacement_deviation;
 }
 
 /// Values on one grid, and the mean times in its cells.
 struct PassageResultOnGrid {
-  ValuesOnGrid values_on_grid = {};
+  FunctionalValuesOnGrid values_on_grid = {};
   std::optional<transform::MeanPassageTimeMap> mean_passage_times_by_start = {};
 };
 
@@ -66,8 +67,8 @@ struct PassageResultOnGrid {
 using SolvePassageOnGrid =
     std::function<PassageResultOnGrid(double refinement, const std::vector<double>& times)>;
 
-/// Computes the values on a sequence of grids (ConvergedValues) and stores the values, the errors
-/// and the status in `passage`.
+/// Computes the values on a sequence of grids (FunctionalValuesFromGridSequence) and stores the
+/// values, the errors and the status in `passage`.
 /// @param times times of the survival probabilities; automatic times if empty
 /// @param has_start whether the passage has an initial state
 /// @param element_name name of the elements of a grid in FirstPassageResult::details: cells or

@@ -15,11 +15,11 @@ constexpr double kTolerance = 1e-8, kLargestTolerance = 1e-4;
 
 }  // namespace
 
-ReducedResolvent::ReducedResolvent(const ShiftedSystem& system, const Eigen::VectorXd& b,
+ReducedResolvent::ReducedResolvent(const ShiftedLinearSystem& system, const Eigen::VectorXd& b,
                                    Eigen::VectorXd stationary)
     : system_(system), stationary_(std::move(stationary)), norm_(b.norm()), basis_(b / norm_) {}
 
-bool ReducedResolvent::add_basis_vectors(int count, const base::Deadline& deadline) {
+bool ReducedResolvent::add_krylov_basis_vectors(int count, const base::Deadline& deadline) {
   basis_.conservativeResize(Eigen::NoChange, size_ + count + 1);
   hessenberg_.conservativeResize(size_ + count + 1, size_ + count);
   const double tolerance = std::min(kTolerance / weight_of_last_, kLargestTolerance);
@@ -27,7 +27,7 @@ bool ReducedResolvent::add_basis_vectors(int count, const base::Deadline& deadli
     auto solution = system_.solve(basis_.col(size_), tolerance, deadline, failure_);
     if (!solution) return false;
     if (stationary_.size() > 0)
-      *solution -= system_.unshifted_operator().total_mass(*solution) * stationary_;
+      *solution -= system_.operator_without_shift().total_mass(*solution) * stationary_;
     hessenberg_.col(size_).setZero();
     hessenberg_.row(size_ + 1).setZero();
     // Classical Gram-Schmidt orthogonalisation, twice for orthogonality to rounding
@@ -57,7 +57,7 @@ Eigen::VectorXcd ReducedResolvent::transfer_function_values(const Eigen::VectorX
   Eigen::VectorXcd values(points.size());
   weight_of_last_ = 0;
   for (Eigen::Index k = 0; k < points.size(); ++k) {
-    Eigen::MatrixXcd matrix = (points(k) - system_.shift()) * t;
+    Eigen::MatrixXcd matrix = (points(k) - system_.resolvent_shift()) * t;
     matrix.diagonal().array() += 1;
     const Eigen::VectorXcd solution = matrix.triangularView<Eigen::Upper>().solve(right);
     const std::complex<double> last = u.row(size_ - 1).transpose().cwiseProduct(solution).sum();
@@ -70,7 +70,7 @@ Eigen::VectorXcd ReducedResolvent::transfer_function_values(const Eigen::VectorX
 Eigen::VectorXd ReducedResolvent::shifted_solution(double s) const {
   const Eigen::MatrixXd h = hessenberg_.topLeftCorner(size_, size_);
   const Eigen::MatrixXd matrix =
-      Eigen::MatrixXd::Identity(size_, size_) - (system_.shift() - s) * h;
+      Eigen::MatrixXd::Identity(size_, size_) - (system_.resolvent_shift() - s) * h;
   return basis_.leftCols(size_) * matrix.partialPivLu().solve(norm_ * h.col(0));
 }
 
@@ -83,7 +83,7 @@ ReducedResolvent::Modes ReducedResolvent::reduced_model_modes(const Eigen::Vecto
   const Eigen::VectorXcd of_w =
       vectors.transpose() *
       (basis_.leftCols(n).transpose() * functional).cast<std::complex<double>>();
-  return {.rates = system_.shift() - eigen.eigenvalues().cwiseInverse().array(),
+  return {.rates = system_.resolvent_shift() - eigen.eigenvalues().cwiseInverse().array(),
           .coefficients = of_w.cwiseProduct(start)};
 }
 

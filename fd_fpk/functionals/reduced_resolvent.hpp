@@ -24,12 +24,12 @@ class ReducedResolvent {
  public:
   /// @param system linear systems of sigma - L, which must outlive this object
   /// @param stationary stationary density of mass 1 if b has mass 0; otherwise empty
-  ReducedResolvent(const ShiftedSystem& system, const Eigen::VectorXd& b,
+  ReducedResolvent(const ShiftedLinearSystem& system, const Eigen::VectorXd& b,
                    Eigen::VectorXd stationary = {});
 
   /// Adds `count` vectors to the basis.
   /// @return whether the linear systems were solved; otherwise failure_reason() gives the reason
-  bool add_basis_vectors(int count, const base::Deadline& deadline);
+  bool add_krylov_basis_vectors(int count, const base::Deadline& deadline);
 
   int size() const { return size_; }
   const std::string& failure_reason() const { return failure_; }
@@ -55,7 +55,7 @@ class ReducedResolvent {
                             std::optional<int> basis_size = {}) const;
 
  private:
-  const ShiftedSystem& system_;
+  const ShiftedLinearSystem& system_;
   Eigen::VectorXd stationary_;
   double norm_;            // norm of b
   int size_ = 0;           // number of columns of H

@@ -10,7 +10,7 @@
 #include "fd_fpk/applicability.hpp"
 #include "fd_fpk/functionals/grid_sequence.hpp"
 #include "fd_fpk/functionals/shifted_system.hpp"
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
 #include "fd_fpk/stationary/parameter_derivatives.hpp"
 #include "transform/coordinate_transformation.hpp"
 
@@ -51,10 +51,10 @@ Eigen::VectorXd sensitivities_on_grid(
   const int order = transport_order(options);
   // The factors of s - L with a small shift s solve the singular systems of L in a few iterations.
   constexpr double kSmallShift = 1e-3;  // in decay rates of the slowest mode
-  const ShiftedSystem system(direct_solution.op, &*direct_solution.preconditioner,
-                             grid.v_cell_count(), order,
-                             kSmallShift * direct_solution.scales.slowest_decay_rate);
-  const numerics::BlockBandedLu* factors = system.direct_factors();
+  const ShiftedLinearSystem system(direct_solution.op, &*direct_solution.preconditioner,
+                                   grid.v_cell_count(), order,
+                                   kSmallShift * direct_solution.scales.slowest_decay_rate);
+  const numerics::BlockBandedLu* factors = system.direct_matrix_factors();
   if (factors == nullptr && !direct_solution.preconditioner->factorise_stationary()) {
     failure = direct_solution.preconditioner->failure_reason();
     return {};
@@ -138,7 +138,7 @@ transform::MomentSensitivities solve_sensitivities(
     }
     return scales;
   };
-  const ConvergedValues converged = converge_on_grids(
+  const FunctionalValuesFromGridSequence converged = refine_grids_until_converged(
       transformed, with_order, kElasticityFraction * options.accuracy, on_grid, scale);
   result.seconds = stopwatch.seconds();
   if (converged.values.size() == 0) {

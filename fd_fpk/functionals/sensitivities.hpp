@@ -16,10 +16,10 @@ namespace fpkcheck::fd_fpk {
 ///     L dp = -dL p,    int dp = 0,
 ///
 /// where dL is the derivative of the generator on the same grid, computed by difference quotients
-/// of the generator matrix. The errors follow from three or more grids (ConvergedValues). Only the
-/// derivatives of moments determine the finest grid. The status is `ok` if the errors of the
-/// elasticities of moments, and the L1 errors of theta dp/dtheta for each parameter theta, are at
-/// most FiniteVolumeOptions::accuracy.
+/// of the generator matrix. The errors follow from three or more grids
+/// (FunctionalValuesFromGridSequence). Only the derivatives of moments determine the finest grid.
+/// The status is `ok` if the errors of the elasticities of moments, and the L1 errors of theta
+/// dp/dtheta for each parameter theta, are at most FiniteVolumeOptions::accuracy.
 /// @param parameters derivatives with steps of about 1e-4
 /// @param y_edges,ydot_edges increasing edges of the bins of the marginal densities, in physical
 ///   coordinates

@@ -4,8 +4,9 @@
 
 namespace fpkcheck::fd_fpk {
 
-ShiftedSystem::ShiftedSystem(const FokkerPlanckOperator& op, Preconditioner* preconditioner, int nv,
-                             int order, double shift, Transposed transposed)
+ShiftedLinearSystem::ShiftedLinearSystem(const FokkerPlanckOperator& op,
+                                         Preconditioner* preconditioner, int nv, int order,
+                                         double shift, OperatorTransposition transposed)
     : op_(op), preconditioner_(preconditioner), shift_(shift), transposed_(transposed) {
   // Largest number of elements of the factors, 400 MB. With factors `fpkcheck spectrum case1
   // --methods fd-kf` takes 3.6 s instead of 6.6 s.
@@ -26,13 +27,13 @@ ShiftedSystem::ShiftedSystem(const FokkerPlanckOperator& op, Preconditioner* pre
   }
 }
 
-std::optional<Eigen::VectorXd> ShiftedSystem::solve(const Eigen::VectorXd& right_hand_side,
-                                                    double tolerance,
-                                                    const base::Deadline& deadline,
-                                                    std::string& failure) const {
-  const bool is_transposed = transposed_ == Transposed::yes;
+std::optional<Eigen::VectorXd> ShiftedLinearSystem::solve(const Eigen::VectorXd& right_hand_side,
+                                                          double tolerance,
+                                                          const base::Deadline& deadline,
+                                                          std::string& failure) const {
+  const bool is_transposed = transposed_ == OperatorTransposition::yes;
   if (factors_) {
-    if (deadline.has_passed()) {
+    if (deadline.has_deadline_passed()) {
       failure = "max_seconds expired; increase max-seconds or use fewer cells";
       return std::nullopt;
     }

@@ -11,25 +11,28 @@
 
 namespace fpkcheck::fd_fpk {
 
-enum class Transposed { no, yes };
+enum class OperatorTransposition { no, yes };
 
 /// Linear systems (s - L) x = b of an operator L with a shift s > 0, or of the transposed operator.
 /// The system is solved for many right-hand sides. If memory permits, the constructor therefore
 /// factors the whole matrix, including the jumps, in dense blocks for the cells at one x1.
 /// Otherwise GMRES solves each system.
-class ShiftedSystem {
+class ShiftedLinearSystem {
  public:
   /// @param op,preconditioner must outlive this object
   /// @param preconditioner preconditioner of GMRES; null if only the factors solve the systems
   /// @param nv number of cells of x2
   /// @param order order of the scheme
-  ShiftedSystem(const FokkerPlanckOperator& op, Preconditioner* preconditioner, int nv, int order,
-                double shift, Transposed transposed = Transposed::no);
+  ShiftedLinearSystem(const FokkerPlanckOperator& op, Preconditioner* preconditioner, int nv,
+                      int order, double shift,
+                      OperatorTransposition transposed = OperatorTransposition::no);
 
-  double shift() const { return shift_; }
-  const FokkerPlanckOperator& unshifted_operator() const { return op_; }
+  double resolvent_shift() const { return shift_; }
+  const FokkerPlanckOperator& operator_without_shift() const { return op_; }
   /// Returns the factors of s - L; null if GMRES solves the systems.
-  const numerics::BlockBandedLu* direct_factors() const { return factors_ ? &*factors_ : nullptr; }
+  const numerics::BlockBandedLu* direct_matrix_factors() const {
+    return factors_ ? &*factors_ : nullptr;
+  }
 
   /// @param tolerance relative residual of GMRES
   /// @return the solution; empty with a reason in `failure`
@@ -40,7 +43,7 @@ class ShiftedSystem {
   const FokkerPlanckOperator& op_;
   const Preconditioner* preconditioner_;
   double shift_;
-  Transposed transposed_;
+  OperatorTransposition transposed_;
   std::optional<numerics::BlockBandedLu> factors_ = {};
   std::string failure_ = {};  // reason why the preconditioner could not be factored
 };

@@ -12,7 +12,7 @@
 #include "fd_fpk/applicability.hpp"
 #include "fd_fpk/functionals/grid_sequence.hpp"
 #include "fd_fpk/functionals/reduced_resolvent.hpp"
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
 #include "fd_fpk/selection_policy.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -79,11 +79,11 @@ Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
   constexpr int kStep = 10, kMost = 200;
   const PhasePlaneGrid& grid = direct_solution.discretisation.grid;
   const Eigen::VectorXd& p = *direct_solution.averages;
-  const Eigen::VectorXd functional = coordinate_functional(grid, variable, order);
+  const Eigen::VectorXd functional = coordinate_mean_functional(grid, variable, order);
   const double mean = functional.dot(p) / direct_solution.op.total_mass(p);
   const Eigen::VectorXd b = multiply_by_coordinate(grid, p, variable, order) - mean * p;
-  const ShiftedSystem system(direct_solution.op, &*direct_solution.preconditioner,
-                             grid.v_cell_count(), order, shift);
+  const ShiftedLinearSystem system(direct_solution.op, &*direct_solution.preconditioner,
+                                   grid.v_cell_count(), order, shift);
   ReducedResolvent model(system, b, p);
   Eigen::VectorXcd points(frequencies.size());
   for (std::size_t k = 0; k < frequencies.size(); ++k) points(k) = {0, frequencies[k]};
@@ -93,7 +93,7 @@ Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
   Eigen::VectorXd values(n + 2 * m + kFurtherValues), last = Eigen::VectorXd::Zero(n);
   const double variance = functional.dot(b);
   while (model.size() < kMost) {
-    if (!model.add_basis_vectors(kStep, deadline)) {
+    if (!model.add_krylov_basis_vectors(kStep, deadline)) {
       failure = model.failure_reason();
       return {};
     }
@@ -158,7 +158,8 @@ transform::SpectralDensity solve_spectrum(const problem::Problem& problem,
     magnitude.head(n) = magnitude.head(n).cwiseMax(kFloor * magnitude.head(n).maxCoeff());
     return magnitude;
   };
-  const ConvergedValues converged = converge_on_grids(transformed, options, target, on_grid, scale);
+  const FunctionalValuesFromGridSequence converged =
+      refine_grids_until_converged(transformed, options, target, on_grid, scale);
   spectrum.seconds = stopwatch.seconds();
   if (converged.values.size() == 0) {
     spectrum.reason = converged.failure;

@@ -15,8 +15,8 @@ namespace fpkcheck::fd_fpk {
 ///
 /// with the autocovariance R and f = y or y'.
 ///
-/// The errors follow from three or more grids (ConvergedValues); the status is `inaccurate` if an
-/// error exceeds FiniteVolumeOptions::accuracy times the largest density.
+/// The errors follow from three or more grids (FunctionalValuesFromGridSequence); the status is
+/// `inaccurate` if an error exceeds FiniteVolumeOptions::accuracy times the largest density.
 /// @param frequencies angular frequencies w >= 0
 /// @param lags increasing times t >= 0 of the autocovariance R(t)
 /// @throws InputError for invalid options

@@ -20,7 +20,7 @@ struct GmresCallbackData {
 int gmres_product_callback(void* data, N_Vector v, N_Vector z) {
   auto& callbacks = *static_cast<GmresCallbackData*>(data);
   return callbacks.thrown.call_and_store_exception([&] {
-    callbacks.deadline_exceeded = callbacks.deadline.has_passed();
+    callbacks.deadline_exceeded = callbacks.deadline.has_deadline_passed();
     if (callbacks.deadline_exceeded) return CallbackExceptionStore::kUnrecoverable;
     vector_view(z) = callbacks.linear_map(vector_view(v));
     return 0;

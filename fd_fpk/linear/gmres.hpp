@@ -32,6 +32,6 @@ GmresResult solve_by_gmres(const LinearMap& linear_map,
                            const ApproximateLinearSolver& approximate_solve,
                            const Eigen::VectorXd& right_hand_side, const Eigen::VectorXd& weights,
                            double tolerance,
-                           const base::Deadline& deadline = base::Deadline::unlimited());
+                           const base::Deadline& deadline = base::Deadline::without_time_limit());
 
 }  // namespace fpkcheck::fd_fpk

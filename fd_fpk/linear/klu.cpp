@@ -63,7 +63,7 @@ struct MatrixSparsityPattern {
 };
 
 /// Thread-safe cache of the most recently used fill-reducing orderings of matrices.
-class OrderingCache {
+class MatrixOrderingCache {
  public:
   std::vector<int> find(const MatrixSparsityPattern& pattern) {
     const std::lock_guard lock(mutex_);
@@ -95,8 +95,9 @@ class OrderingCache {
 }  // namespace
 
 std::vector<int> fill_reducing_ordering(const SparseColumnMatrix& matrix) {
-  static OrderingCache& cache =
-      *new OrderingCache;  // the cache is never destroyed, since threads may use the cache at exit
+  static MatrixOrderingCache& cache =
+      // the cache is never destroyed, since threads may use the cache at exit
+      *new MatrixOrderingCache;
   const MatrixSparsityPattern pattern(matrix);
   auto order = cache.find(pattern);
   if (!order.empty()) return order;

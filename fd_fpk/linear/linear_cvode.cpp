@@ -80,7 +80,7 @@ LinearOdeSystem make_linear_ode_system(LinearOdeSystem::Product apply_operator,
 LinearOdeSystem with_deadline_check(const base::Deadline& deadline, LinearOdeSystem system) {
   system.apply_operator = [&deadline, apply_operator = std::move(system.apply_operator)](
                               double t, const Eigen::VectorXd& p) {
-    if (deadline.has_passed()) throw DeadlineExceeded();
+    if (deadline.has_deadline_passed()) throw DeadlineExceeded();
     return apply_operator(t, p);
   };
   return system;

@@ -23,9 +23,10 @@ struct NullVectorResult {
 /// L with mass 1. GMRES solves L d = -L start for the correction d, where the vector `start` has
 /// mass 1. The operator L conserves mass, so that all residuals have mass 0 and the singular system
 /// is consistent.
-NullVectorResult find_null_vector(const FokkerPlanckOperator& op, Preconditioner& preconditioner,
-                                  const Eigen::VectorXd& initial_averages,
-                                  const base::Deadline& deadline = base::Deadline::unlimited());
+NullVectorResult find_null_vector(
+    const FokkerPlanckOperator& op, Preconditioner& preconditioner,
+    const Eigen::VectorXd& initial_averages,
+    const base::Deadline& deadline = base::Deadline::without_time_limit());
 
 /// Computes the null vector of mass 1 of an unstable operator by inverse iteration with KLU factors
 /// of the whole matrix L. A solver without a test of well-posedness would return the null vector of

@@ -23,8 +23,8 @@ constexpr int kOrder = 3;
 // preconditioner_exchange_decay_rate. The drift by impulses of nonzero mean keeps the oscillator
 // off the wall. The preconditioner therefore reduces the drift only if the drift rate of the
 // shortest waves is many times preconditioner_exchange_decay_rate.
-DiscreteExcitation drift_diffusion_approximation(const DiscreteExcitation& excitation,
-                                                 const GridAxis& x2) {
+DiscretisedExcitation drift_diffusion_approximation(const DiscretisedExcitation& excitation,
+                                                    const GridAxis& x2) {
   constexpr double kOvershoot = 1.5;
   const double step = x2.smallest_cell_width();
   // Empirical limits: on graded axes with narrow cells GMRES does not converge with larger drift or
@@ -35,7 +35,7 @@ DiscreteExcitation drift_diffusion_approximation(const DiscreteExcitation& excit
       overshoot_of_drift * excitation.preconditioner_exchange_decay_rate / shortest;
   const double limit =
       kOvershoot * excitation.preconditioner_exchange_decay_rate / (shortest * shortest);
-  DiscreteExcitation local{
+  DiscretisedExcitation local{
       .drift = excitation.drift +
                std::clamp(excitation.preconditioner_exchange_drift, -fastest, fastest),
       .diffusion = excitation.diffusion,
@@ -61,14 +61,14 @@ DiscreteExcitation drift_diffusion_approximation(const DiscreteExcitation& excit
 }  // namespace
 
 Preconditioner::Preconditioner(const problem::Problem& problem,
-                               const DiscreteExcitation& excitation,
+                               const DiscretisedExcitation& excitation,
                                problem::ImpactCondition impact, const PhasePlaneGrid& grid,
                                int order)
     : Preconditioner(problem.system, problem::motion_scales(problem).slowest_decay_rate, excitation,
                      impact, grid, order) {}
 
 Preconditioner::Preconditioner(const problem::System& system, double mass_loss_rate,
-                               const DiscreteExcitation& excitation,
+                               const DiscretisedExcitation& excitation,
                                problem::ImpactCondition impact, const PhasePlaneGrid& grid,
                                int order)
     : mass_loss_rate_(mass_loss_rate) {
@@ -78,7 +78,7 @@ Preconditioner::Preconditioner(const problem::System& system, double mass_loss_r
       fokker_planck_operator(
           system, drift_diffusion_approximation(excitation, grid.x2), impact, grid,
           centred ? order : kOrder,
-          centred ? CoefficientProductAveraging::full : CoefficientProductAveraging::lumped)
+          centred ? CellAverageProductRule::full : CellAverageProductRule::lumped)
           .local,
       -mass_loss_rate);
 }

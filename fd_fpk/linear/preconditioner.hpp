@@ -22,12 +22,12 @@ class Preconditioner {
   /// @param order order of the operator L. For odd orders the preconditioner M has order 3. For
   /// even orders M has the order of L: centred differences have no upwind dissipation, and GMRES
   /// would not converge with a dissipative preconditioner.
-  Preconditioner(const problem::Problem& problem, const DiscreteExcitation& excitation,
+  Preconditioner(const problem::Problem& problem, const DiscretisedExcitation& excitation,
                  problem::ImpactCondition impact, const PhasePlaneGrid& grid, int order = 3);
   /// @param mass_loss_rate rate of the mass loss that makes M nonsingular, such as
   /// problem::MotionScales::slowest_decay_rate
   Preconditioner(const problem::System& system, double mass_loss_rate,
-                 const DiscreteExcitation& excitation, problem::ImpactCondition impact,
+                 const DiscretisedExcitation& excitation, problem::ImpactCondition impact,
                  const PhasePlaneGrid& grid, int order);
 
   /// Factors I - gamma M and returns false on failure; see failure_reason(). If gamma is at least

@@ -127,7 +127,7 @@ AxisOperator power_divergence_matrix(const GridAxis& x2, int power, const AxisOp
 
 // Matrices that map averages of the density over velocity cells to values and derivatives on the
 // velocity faces.
-struct FaceReconstruction {
+struct VelocityFaceReconstruction {
   AxisOperator centred, derivative, jump;  // jump: value from the left minus value from the right
 };
 
@@ -144,7 +144,7 @@ std::pair<double, double> one_sided_forces(const problem::System& system, double
 // under diffusion. Without a kink of the density at x2 = 0, and under multiplicative noise, for
 // whose kinks no stencils exist, the result is empty.
 std::vector<DensityKink> density_kinks(const problem::System& system,
-                                       const DiscreteExcitation& excitation,
+                                       const DiscretisedExcitation& excitation,
                                        const PhasePlaneGrid& grid) {
   const double diffusion = excitation.diffusion;
   if (!system.has_force_jumps_in_v() || diffusion <= 0 || excitation.state_dependent_diffusion)
@@ -160,17 +160,17 @@ std::vector<DensityKink> density_kinks(const problem::System& system,
 
 // Returns the reconstructions on the faces of x2: a single reconstruction for all columns of cells
 // of x1 or, for a density with kinks, a reconstruction for each column.
-std::vector<FaceReconstruction> face_reconstructions(const GridAxis& x2, int scheme_order,
-                                                     const std::vector<DensityKink>& kinks) {
+std::vector<VelocityFaceReconstruction> face_reconstructions(
+    const GridAxis& x2, int scheme_order, const std::vector<DensityKink>& kinks) {
   const int centred = centred_stencil_size(scheme_order);
   const auto reconstruction = [&](const auto&... kink) {
-    return FaceReconstruction{
+    return VelocityFaceReconstruction{
         face_value_operator(x2, centred, UpstreamSideOfFace::left, kink...),
         face_derivative_operator(x2, centred, kink...),
         face_value_operator(x2, scheme_order, UpstreamSideOfFace::left, kink...) -
             face_value_operator(x2, scheme_order, UpstreamSideOfFace::right, kink...)};
   };
-  std::vector<FaceReconstruction> all;
+  std::vector<VelocityFaceReconstruction> all;
   if (kinks.empty()) all.push_back(reconstruction());
   for (const DensityKink& kink : kinks) all.push_back(reconstruction(kink));
   return all;
@@ -185,7 +185,7 @@ SparseColumnMatrix weighted_divergence_matrix(const PhasePlaneGrid& grid, int we
                                               const ValuesOf& values_of, const Weight& weight) {
   const GridAxis& x2 = grid.x2;
   const int nv = grid.v_cell_count();
-  const WeightedAverages averages(grid.x1, weight_stencil_size);
+  const WeightedAverageMatrixBuilder averages(grid.x1, weight_stencil_size);
   std::vector<Eigen::Triplet<double>> entries;
   for (int face = 1; face < nv; ++face) {
     const double at = x2.face_position(face);
@@ -210,9 +210,9 @@ SparseColumnMatrix weighted_divergence_matrix(const PhasePlaneGrid& grid, int we
 
 // Returns the matrix of the term d/dx2 [ f(x1, x2) p ] for the formula f of a force. On a face at
 // which f jumps, f is the mean of the one-sided forces.
-SparseColumnMatrix formula_force_matrix(const problem::System& system, const PhasePlaneGrid& grid,
-                                        const std::vector<FaceReconstruction>& reconstructions,
-                                        int weight_stencil_size) {
+SparseColumnMatrix formula_force_matrix(
+    const problem::System& system, const PhasePlaneGrid& grid,
+    const std::vector<VelocityFaceReconstruction>& reconstructions, int weight_stencil_size) {
   const bool has_kinks = reconstructions.size() > 1;
   return weighted_divergence_matrix(
       grid, weight_stencil_size,
@@ -229,7 +229,7 @@ SparseColumnMatrix formula_force_matrix(const problem::System& system, const Pha
 // Returns the matrix of the term d^2/dx2^2 [ D(x1, x2) p ], as the divergence of D p' + D' p.
 SparseColumnMatrix variable_diffusion_matrix(const StateDependentDiffusion& diffusion,
                                              const PhasePlaneGrid& grid,
-                                             const FaceReconstruction& reconstruction,
+                                             const VelocityFaceReconstruction& reconstruction,
                                              int weight_stencil_size) {
   SparseColumnMatrix matrix = weighted_divergence_matrix(
       grid, weight_stencil_size,
@@ -264,11 +264,11 @@ SparseColumnMatrix block_diagonal_matrix(const std::vector<AxisOperator>& blocks
 
 // Returns the matrix of drift and diffusion for densities with kinks.
 SparseColumnMatrix kinked_drift_diffusion_matrix(
-    const GridAxis& x2, const DiscreteExcitation& excitation,
-    const std::vector<FaceReconstruction>& reconstructions) {
+    const GridAxis& x2, const DiscretisedExcitation& excitation,
+    const std::vector<VelocityFaceReconstruction>& reconstructions) {
   const AxisOperator divergence = divergence_operator(x2);
   std::vector<AxisOperator> blocks;
-  for (const FaceReconstruction& reconstruction : reconstructions) {
+  for (const VelocityFaceReconstruction& reconstruction : reconstructions) {
     blocks.push_back(divergence * AxisOperator(excitation.diffusion * reconstruction.derivative -
                                                excitation.drift * reconstruction.centred));
   }
@@ -277,10 +277,9 @@ SparseColumnMatrix kinked_drift_diffusion_matrix(
 
 // Returns the matrix of the term d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ], by fluxes through the
 // inner faces of x2.
-SparseColumnMatrix damping_and_force_matrix(const problem::System& system,
-                                            const PhasePlaneGrid& grid,
-                                            const std::vector<FaceReconstruction>& reconstructions,
-                                            int weight_stencil_size) {
+SparseColumnMatrix damping_and_force_matrix(
+    const problem::System& system, const PhasePlaneGrid& grid,
+    const std::vector<VelocityFaceReconstruction>& reconstructions, int weight_stencil_size) {
   if (!system.has_polynomial_force()) {
     return formula_force_matrix(system, grid, reconstructions, weight_stencil_size);
   }
@@ -309,7 +308,7 @@ SparseColumnMatrix damping_and_force_matrix(const problem::System& system,
 // The first term of this upwind flux is the centred flux of the next even order.
 SparseColumnMatrix upwind_correction_matrix(
     const problem::System& system, const PhasePlaneGrid& grid,
-    const std::vector<FaceReconstruction>& reconstructions) {
+    const std::vector<VelocityFaceReconstruction>& reconstructions) {
   const GridAxis& x1 = grid.x1;
   const GridAxis& x2 = grid.x2;
   const AxisOperator columns = identity_matrix(grid.nx());
@@ -318,7 +317,7 @@ SparseColumnMatrix upwind_correction_matrix(
     flux = kronecker_product(columns, reconstructions.front().jump);
   } else {
     std::vector<AxisOperator> jumps;
-    for (const FaceReconstruction& reconstruction : reconstructions)
+    for (const VelocityFaceReconstruction& reconstruction : reconstructions)
       jumps.push_back(reconstruction.jump);
     flux = block_diagonal_matrix(jumps);
   }
@@ -388,12 +387,12 @@ SparseColumnMatrix wall_flux_matrix(const PhasePlaneGrid& grid, int scheme_order
 }
 
 FokkerPlanckOperator fokker_planck_operator(const problem::System& system,
-                                            const DiscreteExcitation& excitation,
+                                            const DiscretisedExcitation& excitation,
                                             problem::ImpactCondition impact,
                                             const PhasePlaneGrid& grid, int scheme_order,
-                                            CoefficientProductAveraging averaging) {
+                                            CellAverageProductRule averaging) {
   const int weight_stencil_size =
-      averaging == CoefficientProductAveraging::full ? averaging_stencil_size(scheme_order) : 1;
+      averaging == CellAverageProductRule::full ? averaging_stencil_size(scheme_order) : 1;
   const std::vector<DensityKink> kinks = density_kinks(system, excitation, grid);
   SparseColumnMatrix local =
       streaming_matrix(grid, scheme_order, weight_stencil_size, !kinks.empty());

@@ -6,7 +6,7 @@
 
 #include "fd_fpk/axis/excitation.hpp"
 #include "fd_fpk/axis/grid.hpp"
-#include "problem/model.hpp"
+#include "problem/equation_and_impact_condition.hpp"
 
 namespace fpkcheck::problem {
 class System;
@@ -50,7 +50,7 @@ struct FokkerPlanckOperator {
 /// The rule `full` averages over several cells and has the order of accuracy of the operator. The
 /// rule `lumped` multiplies the cell average of p by the value of x2, or of the force, at the cell
 /// centre, and is accurate to second order.
-enum class CoefficientProductAveraging { full, lumped };
+enum class CellAverageProductRule { full, lumped };
 
 /// Returns the operator of paper (15) with the given excitation, and with the impact condition at
 /// each wall. A right end of the axis x1 with the condition `barrier` absorbs the motion that
@@ -65,9 +65,9 @@ enum class CoefficientProductAveraging { full, lumped };
 /// stencils, even orders centred stencils. The derivatives of the excitation have centred stencils
 /// of the next even order.
 FokkerPlanckOperator fokker_planck_operator(
-    const problem::System& system, const DiscreteExcitation& excitation,
+    const problem::System& system, const DiscretisedExcitation& excitation,
     problem::ImpactCondition impact, const PhasePlaneGrid& grid, int scheme_order,
-    CoefficientProductAveraging averaging = CoefficientProductAveraging::full);
+    CellAverageProductRule averaging = CellAverageProductRule::full);
 
 /// Returns the matrix that maps cell averages to the flux of probability into a wall, shape (nv/2,
 /// nx nv). Row i gives the average of u p(0+, -u), or of u p(b-, u) at a second wall x1 = b, over

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "fd_fpk/axis/axis_operators.hpp"
-#include "fd_fpk/operator/discretisation.hpp"
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
+#include "fd_fpk/operator/phase_plane_discretisation.hpp"
 #include "fd_fpk/operator/wall_test_function.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -31,10 +31,12 @@ struct WallCoordinates {
   double speed(double v) const { return sign * v; }
 };
 
-class TestFunctionBalance {
+class ImpactRateTestFunctionBalance {
  public:
-  TestFunctionBalance(const problem::System& system, const DiscreteExcitation& excitation,
-                      problem::ImpactCondition impact, const PhasePlaneGrid& grid, int scheme_order)
+  ImpactRateTestFunctionBalance(const problem::System& system,
+                                const DiscretisedExcitation& excitation,
+                                problem::ImpactCondition impact, const PhasePlaneGrid& grid,
+                                int scheme_order)
       : system_(system),
         excitation_(excitation),
         impact_(impact),
@@ -51,8 +53,8 @@ class TestFunctionBalance {
     const WallTestFunction h(excitation_.diffusion, from.sign * force_minus_drift(wall.position, 0),
                              wall.restitution);
     double balance = integrate_weighted_density(cell_averages, [&](double x, double v) {
-      return h.backward_remainder(from.distance(x), from.speed(v),
-                                  from.sign * force_minus_drift(x, v));
+      return h.backward_equation_remainder(from.distance(x), from.speed(v),
+                                           from.sign * force_minus_drift(x, v));
     });
     Eigen::VectorXd source = -change;
     if (excitation_.exchange.size() > 0) {
@@ -136,7 +138,7 @@ class TestFunctionBalance {
   }
 
   const problem::System& system_;
-  const DiscreteExcitation& excitation_;
+  const DiscretisedExcitation& excitation_;
   problem::ImpactCondition impact_;
   const PhasePlaneGrid& grid_;
   int order_;
@@ -145,11 +147,11 @@ class TestFunctionBalance {
 
 }  // namespace
 
-double impact_rate(const problem::System& system, const DiscreteExcitation& excitation,
+double impact_rate(const problem::System& system, const DiscretisedExcitation& excitation,
                    problem::ImpactCondition impact, const PhasePlaneGrid& grid,
                    const Eigen::VectorXd& cell_averages, const Eigen::VectorXd& change,
                    int scheme_order) {
-  std::optional<TestFunctionBalance> balance;
+  std::optional<ImpactRateTestFunctionBalance> balance;
   const auto of = [&](const std::optional<problem::Wall>& wall, AxisEnd end) {
     if (!wall) return 0.0;
     // The test function of the impact rate needs a uniform excitation and a constant restitution

@@ -4,7 +4,7 @@
 
 #include "fd_fpk/axis/excitation.hpp"
 #include "fd_fpk/axis/grid.hpp"
-#include "problem/model.hpp"
+#include "problem/equation_and_impact_condition.hpp"
 #include "problem/system.hpp"
 
 namespace fpkcheck::fd_fpk {
@@ -32,7 +32,7 @@ namespace fpkcheck::fd_fpk {
 ///
 /// @param excitation excitation on the x2 axis of the grid, as in the operator of this density
 /// @param rate_of_change rate of change of the averages; 0 for a stationary density
-double impact_rate(const problem::System& system, const DiscreteExcitation& excitation,
+double impact_rate(const problem::System& system, const DiscretisedExcitation& excitation,
                    problem::ImpactCondition impact, const PhasePlaneGrid& grid,
                    const Eigen::VectorXd& cell_averages, const Eigen::VectorXd& rate_of_change,
                    int scheme_order);

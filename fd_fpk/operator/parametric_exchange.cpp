@@ -65,7 +65,7 @@ std::vector<NonlocalExcitationTerm> parametric_exchange_terms(const ParametricIm
     last = std::max(last, -first);
     first = 1;
   }
-  const WeightedAverages averages(grid.x1, weight_stencil_size);
+  const WeightedAverageMatrixBuilder averages(grid.x1, weight_stencil_size);
   std::vector<NonlocalExcitationTerm> terms;
   for (int node = first; node <= last; ++node) {
     if (node == 0) continue;  // impulses that the factor 0 multiplies change nothing

@@ -6,7 +6,7 @@ namespace fpkcheck::fd_fpk {
 TimeDependentOperator::TimeDependentOperator(const problem::Problem& problem,
                                              const FiniteVolumeOptions& options,
                                              const PlaneDiscretisation& discretisation) {
-  const auto operator_of = [&](const DiscreteExcitation& excitation) {
+  const auto operator_of = [&](const DiscretisedExcitation& excitation) {
     return fokker_planck_operator(problem.system, excitation, options.impact, discretisation.grid,
                                   transport_order(options));
   };
@@ -22,7 +22,8 @@ TimeDependentOperator::TimeDependentOperator(const problem::Problem& problem,
   constant_ = operator_of(excitation_of(constant));
   if (!time.is_acting()) return;
   const FokkerPlanckOperator motion = operator_of({});
-  const auto add = [&](std::function<double(double)> factor, const DiscreteExcitation& excitation) {
+  const auto add = [&](std::function<double(double)> factor,
+                       const DiscretisedExcitation& excitation) {
     FokkerPlanckOperator part = operator_of(excitation);
     part.local = SparseColumnMatrix(part.local - motion.local).pruned();
     terms_.push_back({std::move(factor), std::move(part)});
@@ -36,7 +37,7 @@ TimeDependentOperator::TimeDependentOperator(const problem::Problem& problem,
   }
   if (time.has_external_force()) {
     add([time](double t) { return time.external_force(t); },
-        DiscreteExcitation{.drift = 1, .exchange = {}});
+        DiscretisedExcitation{.drift = 1, .exchange = {}});
   }
 }
 
@@ -50,11 +51,11 @@ Eigen::VectorXd TimeDependentOperator::apply_at_time(double t,
   return change;
 }
 
-DiscreteExcitation excitation_at_time(const problem::Problem& problem,
-                                      const FiniteVolumeOptions& options,
-                                      const PlaneDiscretisation& discretisation, double t) {
+DiscretisedExcitation excitation_at_time(const problem::Problem& problem,
+                                         const FiniteVolumeOptions& options,
+                                         const PlaneDiscretisation& discretisation, double t) {
   if (!problem.time.is_acting()) return discretisation.excitation;
-  DiscreteExcitation excitation =
+  DiscretisedExcitation excitation =
       discretise_excitation_on_same_grid(problem::with_excitation_at_time(problem, t), options,
                                          discretisation)
           .excitation;

@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
-#include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
+#include "fd_fpk/operator/phase_plane_discretisation.hpp"
 #include "fd_fpk/options.hpp"
 #include "problem/problem.hpp"
 
@@ -40,8 +40,8 @@ class TimeDependentOperator {
 };
 
 /// Returns the excitation at the time t, with the drift of the force F(t).
-DiscreteExcitation excitation_at_time(const problem::Problem& problem,
-                                      const FiniteVolumeOptions& options,
-                                      const PlaneDiscretisation& discretisation, double t);
+DiscretisedExcitation excitation_at_time(const problem::Problem& problem,
+                                         const FiniteVolumeOptions& options,
+                                         const PlaneDiscretisation& discretisation, double t);
 
 }  // namespace fpkcheck::fd_fpk

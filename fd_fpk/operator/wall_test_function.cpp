@@ -14,10 +14,10 @@ namespace {
 // Table of the functions phi, phi', theta and chi' of WallTestFunction on equidistant s, with cubic
 // Hermite interpolation. The differential equations give the derivatives for the interpolation. The
 // interpolation error is step^4 / 384 times a fourth derivative, below 1e-10.
-class SimilarityProfileTable {
+class WallTestFunctionTable {
  public:
-  static const SimilarityProfileTable& table() {
-    static const SimilarityProfileTable profiles;
+  static const WallTestFunctionTable& table() {
+    static const WallTestFunctionTable profiles;
     return profiles;
   }
 
@@ -108,7 +108,7 @@ class SimilarityProfileTable {
            x * x * ((1 + 2 * y) * right.*value - y * kStep * slope(node(k + 1), right));
   }
 
-  SimilarityProfileTable() : nodes_(kLast + 1) {
+  WallTestFunctionTable() : nodes_(kLast + 1) {
     nodes_[kLast] = {asymptotics_.phi(kEnd), asymptotics_.phi_slope(kEnd), asymptotics_.theta(kEnd),
                      asymptotics_.chi_slope(kEnd)};
     // The Runge-Kutta steps decrease s, because homogeneous solutions decay towards smaller s.
@@ -142,27 +142,26 @@ class SimilarityProfileTable {
 WallTestFunction::WallTestFunction(double diffusion, double force, double restitution)
     : diffusion_(diffusion),
       force_(force),
-      v_coefficient_(-SimilarityProfileTable::table().chi_slope_limit_below() / (1 + restitution)) {
-}
+      v_coefficient_(-WallTestFunctionTable::table().chi_slope_limit_below() / (1 + restitution)) {}
 
 double WallTestFunction::velocity_scale(double y) const { return std::cbrt(diffusion_ * y); }
 
 double WallTestFunction::operator()(double y, double v) const {
   assert(y > 0);
-  const auto& table = SimilarityProfileTable::table();
+  const auto& table = WallTestFunctionTable::table();
   const double l = velocity_scale(y), s = v / l;
   const double chi = table.theta(s) + s * (table.chi_slope(s) + v_coefficient_);
   return std::log(y) / 3 + table.phi(s) + force_ / diffusion_ * l * chi;
 }
 
 double WallTestFunction::velocity_derivative(double y, double v) const {
-  const auto& table = SimilarityProfileTable::table();
+  const auto& table = WallTestFunctionTable::table();
   const double l = velocity_scale(y), s = v / l;
   return table.phi_slope(s) / l + force_ / diffusion_ * (table.chi_slope(s) + v_coefficient_);
 }
 
-double WallTestFunction::backward_remainder(double y, double v, double force) const {
-  const auto& table = SimilarityProfileTable::table();
+double WallTestFunction::backward_equation_remainder(double y, double v, double force) const {
+  const auto& table = WallTestFunctionTable::table();
   const double l = velocity_scale(y), s = v / l;
   return (force - force_) * table.phi_slope(s) / l +
          force * force_ / diffusion_ * (table.chi_slope(s) + v_coefficient_);

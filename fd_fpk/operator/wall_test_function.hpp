@@ -34,7 +34,7 @@ class WallTestFunction {
   /// @pre y > 0
   double operator()(double y, double v) const;
   /// Returns the remainder F h_v - F_0 f_v of the backward equation, for the force F at (y, v).
-  double backward_remainder(double y, double v, double force) const;
+  double backward_equation_remainder(double y, double v, double force) const;
   double velocity_derivative(double y, double v) const;
 
   /// Difference f(0, u) - f(0, -u) of the leading term f at the wall, equal for all speeds u

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "fd_fpk/axis/excitation.hpp"
-#include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/operator/phase_plane_discretisation.hpp"
 
 namespace fpkcheck::fd_fpk {
 

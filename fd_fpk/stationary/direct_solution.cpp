@@ -7,7 +7,7 @@
 
 #include "base/process/parallel_for.hpp"
 #include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
 
@@ -153,10 +153,9 @@ PhasePlaneBox stationary_box(const problem::Problem& problem, const problem::Mot
   return box;
 }
 
-DirectStationarySolution compute_direct_solution(const problem::Problem& problem,
-                                                 const MotionScalesAndBox& scales_and_box,
-                                                 const FiniteVolumeOptions& options,
-                                                 const base::Deadline& deadline) {
+DirectStationarySolution compute_direct_solution(
+    const problem::Problem& problem, const MotionScalesAndComputationalBox& scales_and_box,
+    const FiniteVolumeOptions& options, const base::Deadline& deadline) {
   constexpr int kRefinements = 2;
   // Largest number of cells of a grid that is refined; refining a larger grid takes minutes
   constexpr int kMostCellsRefined = 8000;
@@ -172,13 +171,14 @@ DirectStationarySolution compute_direct_solution(const problem::Problem& problem
     const base::Stopwatch stopwatch;
     DirectStationarySolution direct =
         solve_in_wide_enough_box(problem, scales, on_grid, deadline, box);
-    if (coarser && !direct.averages && deadline.has_passed()) return std::move(*coarser);
+    if (coarser && !direct.averages && deadline.has_deadline_passed()) return std::move(*coarser);
     const bool automatic = options.refine_unresolved && !options.nx && !options.nv;
     if (!direct.averages || !direct.converged || !automatic || refinement == kRefinements ||
         direct.discretisation.grid.size() > kMostCellsRefined ||
         !deadline.has_time_for(kTimeRatio * stopwatch.seconds()) ||
         is_resolved(problem, options, direct) ||
-        has_negative_limit(options, direct.averages->minCoeff() / direct.averages->maxCoeff())) {
+        has_negative_density_on_all_grids(
+            options, direct.averages->minCoeff() / direct.averages->maxCoeff())) {
       return direct;
     }
     // If the density has a spike at the origin, the first refinement refines only the cells at the

@@ -6,8 +6,8 @@
 
 #include "base/process/stopwatch.hpp"
 #include "fd_fpk/linear/preconditioner.hpp"
-#include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
+#include "fd_fpk/operator/phase_plane_discretisation.hpp"
 #include "fd_fpk/options.hpp"
 #include "problem/problem.hpp"
 
@@ -29,7 +29,7 @@ struct DirectStationarySolution {
 };
 
 /// Motion scales and computational box of a problem, which do not depend on the grid.
-struct MotionScalesAndBox {
+struct MotionScalesAndComputationalBox {
   problem::MotionScales scales;
   /// Computational box by stationary_box(); if absent, compute_direct_solution() computes the
   /// computational box
@@ -51,9 +51,8 @@ PhasePlaneBox stationary_box(const problem::Problem& problem, const problem::Mot
 /// solution would otherwise be rejected. An automatic grid is refined, first at a spike at the
 /// origin, while the density violates kAutomaticGridResolutionLimits and the deadline has not
 /// passed.
-DirectStationarySolution compute_direct_solution(const problem::Problem& problem,
-                                                 const MotionScalesAndBox& scales_and_box,
-                                                 const FiniteVolumeOptions& options,
-                                                 const base::Deadline& deadline);
+DirectStationarySolution compute_direct_solution(
+    const problem::Problem& problem, const MotionScalesAndComputationalBox& scales_and_box,
+    const FiniteVolumeOptions& options, const base::Deadline& deadline);
 
 }  // namespace fpkcheck::fd_fpk

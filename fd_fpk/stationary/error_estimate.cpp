@@ -53,7 +53,7 @@ transform::GridLevelDifference grid_level_difference(const FiniteVolumeResult& c
   const auto y = merge_narrow_bins(y_edges, kNarrowest * extent);
   const auto v = merge_narrow_bins(v_edges, kNarrowest * std::sqrt(moments.v2));
   const auto of = [&](const FiniteVolumeResult& result) {
-    transform::GridLevel level = transform::make_grid_level(result.solution, y, v);
+    transform::GridLevelSolution level = transform::make_grid_level(result.solution, y, v);
     level.impact_rate = result.summary.impact_rate;
     return level;
   };
@@ -375,7 +375,8 @@ FiniteVolumeResult refine_grid_until_deadline(const SolveOnOneGrid& solve,
           (goal == GridRefinementGoal::accurate_and_ok && !best.solution.has_status_ok()))) {
     // If kAutomaticGridTargetL1Error is not attainable in time, the grid is refined only until the
     // status is `ok`, unless no grid has this status.
-    if ((best.solution.has_status_ok() || has_negative_limit(options, best.solution.min_density)) &&
+    if ((best.solution.has_status_ok() ||
+         has_negative_density_on_all_grids(options, best.solution.min_density)) &&
         !is_target_accuracy_attainable(*best.summary.error, middle.summary, options, deadline)) {
       break;
     }
@@ -460,7 +461,7 @@ FiniteVolumeResult refine_grid_to_tolerance(const SolveOnOneGrid& solve,
         }
         level.stepper = options.stepper;
         FiniteVolumeResult stepped = solve(level);
-        if (!stepped.solution.density && deadline.has_passed()) stepped = *last[2];
+        if (!stepped.solution.density && deadline.has_deadline_passed()) stepped = *last[2];
         if (stepped.solution.density) add_error_estimate(stepped, last[1]->solution, error);
         check_error_estimate(options, stepped);
         return stepped;

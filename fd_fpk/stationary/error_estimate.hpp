@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "base/process/stopwatch.hpp"
-#include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/operator/phase_plane_discretisation.hpp"
 #include "fd_fpk/options.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/summary.hpp"

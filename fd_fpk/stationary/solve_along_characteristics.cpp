@@ -9,7 +9,7 @@
 #include "base/process/stopwatch.hpp"
 #include "fd_fpk/characteristics/characteristic_grid.hpp"
 #include "fd_fpk/characteristics/embedded_chain.hpp"
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/status_checks.hpp"
 #include "problem/motion_scales.hpp"
@@ -23,14 +23,15 @@ using transform::Status;
 constexpr int kOrderOfObservables = 3;
 constexpr int kCharacteristicsPerCell = 8;
 
-struct GridSolution {
+struct StationarySolutionOnGrid {
   PhasePlaneGrid grid;
   StationaryCellMasses found;
 };
 
-GridSolution solve_in_box(const problem::Problem& problem, const problem::MotionScales& scales,
-                          const FiniteVolumeOptions& options, const PhasePlaneBox& box,
-                          const base::Deadline& deadline) {
+StationarySolutionOnGrid solve_in_box(const problem::Problem& problem,
+                                      const problem::MotionScales& scales,
+                                      const FiniteVolumeOptions& options, const PhasePlaneBox& box,
+                                      const base::Deadline& deadline) {
   PhasePlaneGrid grid = characteristic_grid(problem, scales, options, box);
   StationaryCellMasses found =
       stationary_cell_masses(problem, scales, grid, kCharacteristicsPerCell, deadline);
@@ -38,10 +39,10 @@ GridSolution solve_in_box(const problem::Problem& problem, const problem::Motion
 }
 
 // Masses of the marginal distributions in the cells of y and in the cells of speed.
-struct MarginalMasses {
+struct MarginalCellMasses {
   Eigen::VectorXd of_y, of_speed;
 };
-MarginalMasses marginal_masses(const GridSolution& grid_solution) {
+MarginalCellMasses marginal_masses(const StationarySolutionOnGrid& grid_solution) {
   const int nx = grid_solution.grid.nx(), nv = grid_solution.grid.v_cell_count();
   const Eigen::Map<const Eigen::MatrixXd> masses(grid_solution.found.masses->data(), nv, nx);
   const Eigen::VectorXd of_v = masses.rowwise().sum();
@@ -52,7 +53,8 @@ MarginalMasses marginal_masses(const GridSolution& grid_solution) {
 // Largest accepted mass in the end cells of a computational box, where mass that would leave the
 // computational box accumulates.
 constexpr double kMaxMassAtEnd = 1e-6;
-double mass_at_end(const GridSolution& grid_solution, const MarginalMasses& marginal_masses) {
+double mass_at_end(const StationarySolutionOnGrid& grid_solution,
+                   const MarginalCellMasses& marginal_masses) {
   const Eigen::VectorXd& of_y = marginal_masses.of_y;
   const auto is_open = [](AxisEndCondition end) { return end == AxisEndCondition::vacuum; };
   const double on_left = is_open(grid_solution.grid.x1.left_end_condition()) ? of_y(0) : 0;
@@ -118,9 +120,10 @@ PhasePlaneBox characteristics_box(const problem::Problem& problem,
   coarse.refinement = kCoarse;
   for (int time = 0; time < kMostTimes; ++time) {
     const base::Stopwatch stopwatch;
-    const GridSolution grid_solution = solve_in_box(problem, scales, coarse, box, deadline);
+    const StationarySolutionOnGrid grid_solution =
+        solve_in_box(problem, scales, coarse, box, deadline);
     if (!grid_solution.found.masses) return box;
-    const MarginalMasses masses = marginal_masses(grid_solution);
+    const MarginalCellMasses masses = marginal_masses(grid_solution);
     const double negligible =
         grid_solution.found.rest.empty() ? kNegligibleAroundCycle : kNegligible;
     const double y = end_of_support_in_y(grid_solution.grid.x1, masses.of_y, negligible);
@@ -143,7 +146,7 @@ PhasePlaneBox characteristics_box(const problem::Problem& problem,
 
 // Adds the atoms of mass at rest in contact, and their contributions to the moments, to the
 // solution.
-void add_atoms(const problem::Problem& problem, const GridSolution& grid_solution,
+void add_atoms(const problem::Problem& problem, const StationarySolutionOnGrid& grid_solution,
                transform::Solution& solution) {
   auto& moments = solution.moments;
   for (std::size_t k = 0; k < grid_solution.found.rest.size(); ++k) {
@@ -161,7 +164,7 @@ void add_atoms(const problem::Problem& problem, const GridSolution& grid_solutio
 }
 
 void set_results(const problem::Problem& problem, const problem::MotionScales& scales,
-                 const GridSolution& grid_solution, const Eigen::VectorXd& averages,
+                 const StationarySolutionOnGrid& grid_solution, const Eigen::VectorXd& averages,
                  FiniteVolumeResult& result) {
   auto& [solution, summary] = result;
   const double rate = problem.impulses.arrival_rate();
@@ -221,7 +224,8 @@ FiniteVolumeResult solve_along_characteristics(const problem::Problem& problem,
   auto& [solution, summary] = result;
   const PhasePlaneBox box = characteristics_box(problem, scales, options, deadline);
   const base::Stopwatch stopwatch;
-  const GridSolution grid_solution = solve_in_box(problem, scales, options, box, deadline);
+  const StationarySolutionOnGrid grid_solution =
+      solve_in_box(problem, scales, options, box, deadline);
   summary.nx = grid_solution.grid.nx();
   summary.nv = grid_solution.grid.v_cell_count();
   summary.x1_max = grid_solution.grid.x1_max();

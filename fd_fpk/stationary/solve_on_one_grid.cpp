@@ -9,7 +9,7 @@
 #include "base/process/stopwatch.hpp"
 #include "fd_fpk/linear/linear_cvode.hpp"
 #include "fd_fpk/operator/impact_rate.hpp"
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
@@ -196,7 +196,7 @@ void set_grid_data(const PlaneDiscretisation& discretisation, FiniteVolumeSummar
 }  // namespace
 
 FiniteVolumeResult solve_on_one_grid(const problem::Problem& problem,
-                                     const MotionScalesAndBox& scales_and_box,
+                                     const MotionScalesAndComputationalBox& scales_and_box,
                                      const FiniteVolumeOptions& options,
                                      const base::Deadline& deadline) {
   FiniteVolumeResult result;

@@ -49,7 +49,7 @@ PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
 /// FiniteVolumeOptions::error_estimate and FiniteVolumeOptions::tolerance, which concern several
 /// grids. The caller sets the identity of the solution.
 FiniteVolumeResult solve_on_one_grid(const problem::Problem& problem,
-                                     const MotionScalesAndBox& scales_and_box,
+                                     const MotionScalesAndComputationalBox& scales_and_box,
                                      const FiniteVolumeOptions& options,
                                      const base::Deadline& deadline);
 

@@ -12,14 +12,16 @@ namespace fpkcheck::fd_fpk {
 
 /// Limits of the error indicators of a stationary density; a violation gives the status
 /// `inadmissible`.
-inline constexpr ResolutionLimits kStationaryResolutionLimits{.min_density = -1e-4, .power = 1e-3};
+inline constexpr DensityResolutionLimits kStationaryResolutionLimits{.min_density = -1e-4,
+                                                                     .power = 1e-3};
 
 /// Limits of the error indicators of a density over time; a violation gives the status
 /// `inadmissible`. With losses the initial density does not satisfy the impact condition, and a
 /// discontinuity travels from the wall into the plane. No grid resolves this discontinuity of the
 /// density, which the noise smooths. The limits allow for the discontinuity and still detect grids
 /// that are too coarse.
-inline constexpr ResolutionLimits kTransientResolutionLimits{.min_density = -1e-3, .power = 1e-2};
+inline constexpr DensityResolutionLimits kTransientResolutionLimits{.min_density = -1e-3,
+                                                                    .power = 1e-2};
 
 /// Largest accepted density on an edge of the computational box, relative to the peak density. A
 /// computational box with a larger density on an edge is rejected, because probability that has

@@ -17,7 +17,7 @@ namespace {
 std::vector<std::vector<double>> bin_sums_per_stream(const Simulation& simulation,
                                                      transform::StateVariable variable) {
   std::vector<std::vector<double>> sums;  // shape (streams, n + 2) including the two outer bins
-  for (const TrajectoryStream& stream : simulation.streams()) {
+  for (const TrajectoryStream& stream : simulation.trajectory_streams()) {
     const JointHistogram& histogram = stream.record.histogram;
     sums.push_back(variable == transform::StateVariable::y ? histogram.row_sums()
                                                            : histogram.column_sums());
@@ -156,10 +156,10 @@ L1SamplingError l1_sampling_error(const BinErrors& errors) {
 }
 
 MarginalDensityEstimate estimate_marginal(const Simulation& simulation,
-                                          const StreamWeights& weights,
+                                          const TrajectoryStreamWeights& weights,
                                           transform::StateVariable variable,
                                           double effective_samples) {
-  const auto& edges = simulation.plan().bin_finder_of_variable(variable).edges();
+  const auto& edges = simulation.plan_of_simulation().bin_finder_of_variable(variable).edges();
   const auto sums = bin_sums_per_stream(simulation, variable);
   MarginalDensityEstimate result;
   auto& [marginal, errors] = result;
@@ -181,24 +181,24 @@ MarginalDensityEstimate estimate_marginal(const Simulation& simulation,
     marginal.density.push_back(density);
     marginal.lower.push_back(interval.lower);
     marginal.upper.push_back(interval.upper);
-    errors.push_back(weights.error_contributions(densities));
+    errors.push_back(weights.stream_error_contributions(densities));
     for (double& part : errors.back()) part *= width;
   }
   return result;
 }
 
 JointDensityEstimate estimate_joint_density(const Simulation& simulation,
-                                            const StreamWeights& weights) {
-  const SimulationPlan& plan = simulation.plan();
+                                            const TrajectoryStreamWeights& weights) {
+  const SimulationPlan& plan = simulation.plan_of_simulation();
   JointDensityEstimate joint{{plan.y_bins.edges(), plan.v_bins.edges(), {}}, {}};
   transform::GridDensity& density = joint.density;
-  std::vector<double> values(simulation.streams().size());
+  std::vector<double> values(simulation.trajectory_streams().size());
   for (std::size_t i = 0; i < density.y_cell_count(); ++i) {
     const double dy = density.y_edges[i + 1] - density.y_edges[i];
     for (std::size_t j = 0; j < density.v_cell_count(); ++j) {
       const double dv = density.v_edges[j + 1] - density.v_edges[j];
       const double unit = 1 / (simulation.expected_samples_per_stream() * dy * dv);
-      std::ranges::transform(simulation.streams(), values.begin(),
+      std::ranges::transform(simulation.trajectory_streams(), values.begin(),
                              [&](const TrajectoryStream& stream) {
                                return stream.record.histogram(i + 1, j + 1) * unit;
                              });
@@ -212,10 +212,10 @@ JointDensityEstimate estimate_joint_density(const Simulation& simulation,
   return joint;
 }
 
-std::vector<QuantileWithConfidenceInterval> estimate_quantiles(const Simulation& simulation,
-                                                               const StreamWeights& weights,
-                                                               transform::StateVariable variable) {
-  const auto& edges = simulation.plan().bin_finder_of_variable(variable).edges();
+std::vector<QuantileWithConfidenceInterval> estimate_quantiles(
+    const Simulation& simulation, const TrajectoryStreamWeights& weights,
+    transform::StateVariable variable) {
+  const auto& edges = simulation.plan_of_simulation().bin_finder_of_variable(variable).edges();
   const auto streams = cumulative_probabilities(simulation, variable);
   std::vector<double> mean, error, values(streams.size());
   for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -239,7 +239,7 @@ std::vector<QuantileWithConfidenceInterval> estimate_quantiles(const Simulation&
     quantiles.push_back({p, value, distribution.quantile_of_probability(p - half),
                          distribution.quantile_of_probability(p + half)});
   }
-  const problem::WallFrame& frame = simulation.plan().frame;
+  const problem::WallFrame& frame = simulation.plan_of_simulation().frame;
   return frame.is_identity() ? quantiles
                              : to_physical_coordinates(frame, variable, std::move(quantiles));
 }

@@ -4,12 +4,12 @@
 
 #include "mcs/estimate/stream_weights.hpp"
 #include "mcs/simulation/simulation.hpp"
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 namespace fpkcheck::mcs {
 
 /// Contributions of the trajectory streams to the sampling error of the probability of each bin
-/// (StreamWeights::error_contributions), shape (bins, streams).
+/// (TrajectoryStreamWeights::stream_error_contributions), shape (bins, streams).
 using BinErrors = std::vector<std::vector<double>>;
 
 /// Returns the expected L1 sampling error of a marginal density, the sum over bins of sqrt(2/pi) *
@@ -34,7 +34,7 @@ struct MarginalDensityEstimate {
 /// @param effective_samples effective number of samples, which determines the upper confidence
 /// limit in a bin without samples
 MarginalDensityEstimate estimate_marginal(const Simulation& simulation,
-                                          const StreamWeights& weights,
+                                          const TrajectoryStreamWeights& weights,
                                           transform::StateVariable variable,
                                           double effective_samples);
 
@@ -43,14 +43,14 @@ struct JointDensityEstimate {
   std::vector<double> standard_errors;  ///< standard errors of the cell averages, row-major
 };
 JointDensityEstimate estimate_joint_density(const Simulation& simulation,
-                                            const StreamWeights& weights);
+                                            const TrajectoryStreamWeights& weights);
 
 /// Returns quantiles of y or y' from the distribution function F of the histogram, a cubic between
 /// the bin edges. The 95 % interval contains the values x for which F(x) agrees with the
 /// probability within the sampling error (Woodruff, JASA 47, 1952). Quantiles outside the bins are
 /// omitted.
-std::vector<QuantileWithConfidenceInterval> estimate_quantiles(const Simulation& simulation,
-                                                               const StreamWeights& weights,
-                                                               transform::StateVariable variable);
+std::vector<QuantileWithConfidenceInterval> estimate_quantiles(
+    const Simulation& simulation, const TrajectoryStreamWeights& weights,
+    transform::StateVariable variable);
 
 }  // namespace fpkcheck::mcs

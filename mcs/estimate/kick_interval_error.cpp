@@ -6,7 +6,7 @@
 #include "mcs/estimate/density_estimate.hpp"
 #include "mcs/estimate/stream_averages.hpp"
 #include "mcs/estimate/stream_weights.hpp"
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -50,8 +50,8 @@ transform::ErrorEstimate estimate_kick_interval_error(const transform::Solution&
                                                       const Simulation& doubled) {
   // The error at the kick interval h is a fraction 1/(2^p - 1) of the difference between the
   // results at 2h and h, with the order p.
-  const double fraction = 1 / (std::exp2(order_in_kick_interval(doubled.plan())) - 1);
-  const StreamWeights weights(excess_impulse_power_per_stream(doubled));
+  const double fraction = 1 / (std::exp2(order_in_kick_interval(doubled.plan_of_simulation())) - 1);
+  const TrajectoryStreamWeights weights(excess_impulse_power_per_stream(doubled));
   const MomentEstimates moments = estimate_moments(doubled, weights);
   transform::ErrorEstimate error;
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {

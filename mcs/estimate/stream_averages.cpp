@@ -17,17 +17,18 @@ double sum_above_edge(const std::vector<double>& sums, std::size_t edge) {
 
 template <class CountEvents>
 std::vector<RateOfEventsAtLevel> estimate_level_event_rates(const Simulation& simulation,
-                                                            const StreamWeights& weights,
+                                                            const TrajectoryStreamWeights& weights,
                                                             std::size_t first_edge,
                                                             CountEvents count_events) {
-  const auto& edges = simulation.plan().y_bins.edges();
+  const auto& edges = simulation.plan_of_simulation().y_bins.edges();
   std::vector<RateOfEventsAtLevel> found;
   for (std::size_t k = first_edge; k < edges.size(); k += kEdgesPerLevel) {
-    const auto values =
-        statistic_per_stream(simulation.streams(), [&](const TrajectoryStreamStatistics& record) {
+    const auto values = statistic_of_each_stream(
+        simulation.trajectory_streams(), [&](const TrajectoryStreamStatistics& record) {
           return count_events(record, k) / simulation.simulated_time_per_stream();
         });
-    found.push_back({simulation.plan().frame.physical_y(edges[k]), weights.estimate_mean(values)});
+    found.push_back({simulation.plan_of_simulation().frame.physical_y(edges[k]),
+                     weights.estimate_mean(values)});
   }
   return found;
 }
@@ -43,7 +44,7 @@ double moment_in_wall_coordinates(const Simulation& simulation,
 
 double moment_in_physical_coordinates(const Simulation& simulation,
                                       const TrajectoryStreamStatistics& record, int p, int q) {
-  const problem::WallFrame& frame = simulation.plan().frame;
+  const problem::WallFrame& frame = simulation.plan_of_simulation().frame;
   if (frame.is_identity()) return moment_in_wall_coordinates(simulation, record, p, q);
   // The physical displacement is y = origin + sign x with the wall coordinate x.
   const auto [origin, sign] = std::pair{frame.origin, frame.velocity_sign()};
@@ -73,12 +74,14 @@ double mean_of_polynomial_in_y(const Simulation& simulation,
 }
 
 std::vector<double> moment_per_stream(const Simulation& simulation, int p, int q) {
-  return statistic_per_stream(simulation.streams(), [&](const TrajectoryStreamStatistics& record) {
-    return moment_in_physical_coordinates(simulation, record, p, q);
-  });
+  return statistic_of_each_stream(simulation.trajectory_streams(),
+                                  [&](const TrajectoryStreamStatistics& record) {
+                                    return moment_in_physical_coordinates(simulation, record, p, q);
+                                  });
 }
 
-MomentEstimates estimate_moments(const Simulation& simulation, const StreamWeights& weights) {
+MomentEstimates estimate_moments(const Simulation& simulation,
+                                 const TrajectoryStreamWeights& weights) {
   using transform::Moments;
   MomentEstimates estimates;
   const auto set = [&](double Moments::*moment, int p, int q) {
@@ -99,10 +102,11 @@ std::vector<double> excess_impulse_power_per_stream(const Simulation& simulation
   // Each impulse is independent of the motion before the impulse. The work of the impulses
   // (ImpulseProcess::work) therefore has the expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt. E[v]
   // = 0, since int v dt is the change of y and impacts do not change y.
-  const double expected = simulation.plan().excitation.work;
-  return statistic_per_stream(simulation.streams(), [&](const TrajectoryStreamStatistics& record) {
-    return record.work / simulation.simulated_time_per_stream() - expected;
-  });
+  const double expected = simulation.plan_of_simulation().excitation.work;
+  return statistic_of_each_stream(
+      simulation.trajectory_streams(), [&](const TrajectoryStreamStatistics& record) {
+        return record.work / simulation.simulated_time_per_stream() - expected;
+      });
 }
 
 double effective_sample_count(const Simulation& simulation, int p, int q) {
@@ -112,7 +116,7 @@ double effective_sample_count(const Simulation& simulation, int p, int q) {
 }
 
 std::vector<RateOfEventsAtLevel> estimate_upcrossing_rates(const Simulation& simulation,
-                                                           const StreamWeights& weights) {
+                                                           const TrajectoryStreamWeights& weights) {
   return estimate_level_event_rates(simulation, weights, kEdgesPerLevel,
                                     [](const TrajectoryStreamStatistics& record, std::size_t k) {
                                       return sum_above_edge(record.peaks, k) -
@@ -121,7 +125,7 @@ std::vector<RateOfEventsAtLevel> estimate_upcrossing_rates(const Simulation& sim
 }
 
 std::vector<RateOfEventsAtLevel> estimate_peak_rates(const Simulation& simulation,
-                                                     const StreamWeights& weights) {
+                                                     const TrajectoryStreamWeights& weights) {
   return estimate_level_event_rates(simulation, weights, 0,
                                     [](const TrajectoryStreamStatistics& record, std::size_t k) {
                                       return sum_above_edge(record.peaks, k);

@@ -5,7 +5,7 @@
 #include "mcs/estimate/stream_weights.hpp"
 #include "mcs/simulation/simulation.hpp"
 #include "numerics/polynomials/polynomial.hpp"
-#include "transform/density.hpp"
+#include "transform/joint_density.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -35,7 +35,8 @@ struct MomentEstimates {
   transform::Moments means, standard_errors;
 };
 /// Returns the weighted means of the moments over the streams, in physical coordinates.
-MomentEstimates estimate_moments(const Simulation& simulation, const StreamWeights& weights);
+MomentEstimates estimate_moments(const Simulation& simulation,
+                                 const TrajectoryStreamWeights& weights);
 
 /// Returns the excess power of every trajectory stream: power of the drawn impulses minus the
 /// expected power.
@@ -50,12 +51,12 @@ double effective_sample_count(const Simulation& simulation, int y_power, int v_p
 /// level, y has one more maximum than minima. Every tenth bin edge of y is a crossing level, from
 /// the first edge above the wall.
 std::vector<RateOfEventsAtLevel> estimate_upcrossing_rates(const Simulation& simulation,
-                                                           const StreamWeights& weights);
+                                                           const TrajectoryStreamWeights& weights);
 
 /// Returns the rates of maxima of y above 0 and above the levels of estimate_upcrossing_rates().
 /// The rate of maxima above a level, divided by the rate of maxima above 0, is the probability that
 /// a peak exceeds the level.
 std::vector<RateOfEventsAtLevel> estimate_peak_rates(const Simulation& simulation,
-                                                     const StreamWeights& weights);
+                                                     const TrajectoryStreamWeights& weights);
 
 }  // namespace fpkcheck::mcs

@@ -26,7 +26,7 @@ bool is_negligible(double square_about_mean, std::span<const double> values) {
 
 }  // namespace
 
-StreamWeights::StreamWeights(std::span<const double> excess_powers)
+TrajectoryStreamWeights::TrajectoryStreamWeights(std::span<const double> excess_powers)
     : weights_(excess_powers.size(), 1 / static_cast<double>(excess_powers.size())) {
   const auto n = static_cast<double>(excess_powers.size());
   const auto first = excess_powers.first(excess_powers.size() / 2);
@@ -48,11 +48,11 @@ StreamWeights::StreamWeights(std::span<const double> excess_powers)
   if (is_negligible(control_square_, excess_powers)) control_square_ = 0;
 }
 
-int StreamWeights::degrees_of_freedom() const {
+int TrajectoryStreamWeights::degrees_of_freedom() const {
   return static_cast<int>(size()) - 3;  // 3 estimated parameters: one mean and two slopes
 }
 
-MeanEstimate StreamWeights::estimate_mean(std::span<const double> values) const {
+MeanEstimate TrajectoryStreamWeights::estimate_mean(std::span<const double> values) const {
   const double x_bar = mean_of_values(values);
   double weighted = 0;
   for (std::size_t s = 0; s < size(); ++s) {
@@ -61,11 +61,12 @@ MeanEstimate StreamWeights::estimate_mean(std::span<const double> values) const 
     weighted += weights_[s] * (values[s] - x_bar);
   }
   double square = 0;
-  for (const double error : error_contributions(values)) square += error * error;
+  for (const double error : stream_error_contributions(values)) square += error * error;
   return {x_bar + weighted, std::sqrt(square)};
 }
 
-std::vector<double> StreamWeights::error_contributions(std::span<const double> values) const {
+std::vector<double> TrajectoryStreamWeights::stream_error_contributions(
+    std::span<const double> values) const {
   const double x_bar = mean_of_values(values);
   double product = 0, weight_square = 0;
   for (std::size_t s = 0; s < size(); ++s) {
@@ -81,7 +82,7 @@ std::vector<double> StreamWeights::error_contributions(std::span<const double> v
   return result;
 }
 
-double StreamWeights::confidence_interval_factor() const {
+double TrajectoryStreamWeights::confidence_interval_factor() const {
   return boost::math::quantile(boost::math::students_t(degrees_of_freedom()), 0.975);
 }
 

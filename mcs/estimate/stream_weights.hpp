@@ -41,10 +41,10 @@ struct RateOfEventsAtLevel {
 /// satisfy sum w_s = 1 and sum w_s b_s = 0. Moments, histogram and fluxes all use the weights w_s
 /// and are therefore consistent. The stream weights are near 1/n; a weight is negative only in
 /// short runs with few streams.
-class StreamWeights {
+class TrajectoryStreamWeights {
  public:
   /// @param excess_powers excess power of each trajectory stream, for at least eight streams
-  explicit StreamWeights(std::span<const double> excess_powers);
+  explicit TrajectoryStreamWeights(std::span<const double> excess_powers);
 
   double operator[](std::size_t stream) const { return weights_[stream]; }
   std::size_t size() const { return weights_.size(); }
@@ -57,7 +57,7 @@ class StreamWeights {
   /// estimate_mean(values). The sum of the squared error contributions is the squared standard
   /// error. The sum of the products of the error contributions to two means is the covariance of
   /// the two means.
-  std::vector<double> error_contributions(std::span<const double> values) const;
+  std::vector<double> stream_error_contributions(std::span<const double> values) const;
 
   /// Returns the half-width of a 95 % confidence interval, in standard errors (Student's t).
   double confidence_interval_factor() const;

@@ -12,7 +12,7 @@ namespace fpkcheck::mcs {
 namespace {
 
 template <class... Laws>
-std::variant<Laws...> one_of(LawList<Laws...>);
+std::variant<Laws...> one_of(AmplitudeLawList<Laws...>);
 static_assert(std::is_same_v<decltype(one_of(AmplitudeLaws())), problem::ImpulseLaw::LawVariant>,
               "a law without a StandardAmplitude, or in another order");
 
@@ -77,7 +77,7 @@ ImpulseProcess poisson_impulse_process(const problem::ImpulseTrain& impulses) {
           .interval = 1 / impulses.arrival_rate(),
           .law = law_index(law),
           .mean = impulses.amplitude_law().mean(),
-          .width = std::visit([](const auto& kind) { return kind.width(); }, law),
+          .width = std::visit([](const auto& kind) { return kind.width_parameter(); }, law),
           .power = impulses.intensity() / 2,
           .shift = 0,
           .work = impulses.intensity() / 2,

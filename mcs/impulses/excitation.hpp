@@ -22,7 +22,7 @@ struct ImpulseProcess {
   double interval;
   int law;  ///< amplitude law, as an index of AmplitudeLaws
   double mean;
-  /// Scale of the impulse amplitude, ImpulseLaw::width(); negative for a mirrored law
+  /// Scale of the impulse amplitude, ImpulseLaw::width_parameter(); negative for a mirrored law
   double width;
 
   /// Mean power of the impulses, lambda E[Y^2] / 2, since E[y'] = 0. For evenly spaced kicks with a

@@ -29,7 +29,8 @@ FPKCHECK_INLINE void draw_amplitudes(const ImpulseProcess& excitation,
 }
 
 template <class... Laws>
-FPKCHECK_INLINE void draw_amplitudes_of_law(LawList<Laws...>, const ImpulseProcess& excitation,
+FPKCHECK_INLINE void draw_amplitudes_of_law(AmplitudeLawList<Laws...>,
+                                            const ImpulseProcess& excitation,
                                             const UniformRandomNumbers& u, ImpulseBlock& block) {
   int index = 0;
   ((index++ == excitation.law ? draw_amplitudes<Laws>(excitation, u, block) : void()), ...);

@@ -14,8 +14,8 @@ struct UniformLaw;
 
 namespace fpkcheck::mcs {
 
-/// Draws an amplitude of the law with mean 0 and width() 1 from two independent uniform numbers u
-/// and w of (0, 1); u has more random digits than w. The specialisation for each law of
+/// Draws an amplitude of the law with mean 0 and width_parameter() 1 from two independent uniform
+/// numbers u and w of (0, 1); u has more random digits than w. The specialisation for each law of
 /// problem::ImpulseLaw contains a formula or derives from AmplitudeByQuantileFunction. This header
 /// only declares the types of the amplitude laws, since the headers of the laws must not be
 /// compiled for several instruction sets.
@@ -76,11 +76,12 @@ template <>
 struct StandardAmplitude<problem::TabulatedLaw> : AmplitudeByQuantileFunction {};
 
 template <class... Laws>
-struct LawList {};
+struct AmplitudeLawList {};
 
 /// All amplitude laws, in the order of problem::ImpulseLaw::LawVariant.
 using AmplitudeLaws =
-    LawList<problem::GaussianLaw, problem::LaplaceLaw, problem::TwoPointLaw, problem::UniformLaw,
-            problem::ExponentialLaw, problem::GammaLaw, problem::TabulatedLaw>;
+    AmplitudeLawList<problem::GaussianLaw, problem::LaplaceLaw, problem::TwoPointLaw,
+                     problem::UniformLaw, problem::ExponentialLaw, problem::GammaLaw,
+                     problem::TabulatedLaw>;
 
 }  // namespace fpkcheck::mcs

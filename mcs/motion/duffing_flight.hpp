@@ -32,7 +32,7 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   /// pi / sqrt(max g(y)/y) apart. If `phase` is below pi, a flight therefore has at most one
   /// impact, and no impact if the flight starts at the wall with v >= 0. An impact occurs exactly
   /// if y < 0 at the end of the flight polynomial, and impacts cannot accumulate.
-  FPKCHECK_INLINE Real max_step(double phase) const { return phase / frequency_bound_; }
+  FPKCHECK_INLINE Real max_flight_duration(double phase) const { return phase / frequency_bound_; }
 
   FPKCHECK_INLINE Real acceleration(const PhaseState<Real>& state) const {
     const double c = oscillator_.damping[0], k = oscillator_.force[1], mu = oscillator_.force[3];

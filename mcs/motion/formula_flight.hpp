@@ -31,7 +31,7 @@ struct PackedOscillatorStates {
   }
 
   /// Returns packed values in their SIMD lanes, and 0 in all other lanes.
-  FPKCHECK_INLINE Real unpack(const Numbers& values) const {
+  FPKCHECK_INLINE Real unpack_to_lanes(const Numbers& values) const {
     Numbers result{};
     for (int k = 0; k < count; ++k) result.at[lane[k]] = values.at[k];
     return simd::load<Real>(result.at);
@@ -40,8 +40,8 @@ struct PackedOscillatorStates {
 
 /// Returns the force of the flights (evaluate_forces()) in the lanes of `wanted`, 0 in other lanes.
 template <class Real, class Mask>
-FPKCHECK_INLINE Real flight_forces(const SimulatedOscillator& oscillator,
-                                   const PhaseState<Real>& at, const Mask& wanted) {
+FPKCHECK_INLINE Real forces_in_lanes(const SimulatedOscillator& oscillator,
+                                     const PhaseState<Real>& at, const Mask& wanted) {
   typename PackedOscillatorStates<Real>::Numbers y, v, force;
   simd::store(at.y, y.at);
   simd::store(at.v, v.at);
@@ -108,7 +108,7 @@ class FormulaFlight : public FreeFlight<Real, 6> {
     // A trial state outside the domain of the force formula gives the error estimate NaN.
     const Real known_error =
         simd::select(error == error, error, simd::all_lanes_equal_to<Real>(1e100));
-    const Real next = step_ * step_factor(known_error);
+    const Real next = step_ * error_controlled_step_factor(known_error);
     // If the force at the start of an integration step is not finite, a shorter step does not help.
     const Mask rejected = moving & (known_error > 1.0) & (step_ > shortest) & (first == first);
     const Mask accepted = moving & (rejected == none);
@@ -120,7 +120,7 @@ class FormulaFlight : public FreeFlight<Real, 6> {
         simd::select(accepted, simd::lanewise_max(after, simd::all_lanes_equal_to<Real>(shortest)),
                      integrator.step);
     if (simd::any_mask_lane_set(rejected))
-      undo_rejected_steps(start, first, next, rejected, integrator);
+      undo_rejected_integration_steps(start, first, next, rejected, integrator);
     integrator.end.y = simd::select(moving, end_.y, integrator.end.y);
     integrator.end.v = simd::select(moving, end_.v, integrator.end.v);
     integrator.acceleration = simd::select(moving, end_acceleration_, integrator.acceleration);
@@ -128,7 +128,7 @@ class FormulaFlight : public FreeFlight<Real, 6> {
   FormulaFlight(SimulatedOscillator&&, const PhaseState<Real>&) = delete;
 
   /// Returns the duration of the integration step that the constructor has chosen.
-  FPKCHECK_INLINE Real max_step(double /*phase*/) const { return step_; }
+  FPKCHECK_INLINE Real max_flight_duration(double /*phase*/) const { return step_; }
 
   /// Returns the state at the time s. At the end of the step the result has no rounding errors of
   /// the polynomial.
@@ -154,7 +154,7 @@ class FormulaFlight : public FreeFlight<Real, 6> {
   /// Returns the factor by which the integration step changes after an error, given as a multiple
   /// of the tolerance: 0.9 error^(-3/16), within limits. Square roots give this power; the usual
   /// power -1/5 needs a logarithm and an exponential.
-  FPKCHECK_INLINE static Real step_factor(const Real& error) {
+  FPKCHECK_INLINE static Real error_controlled_step_factor(const Real& error) {
     const Real root = simd::square_root(simd::square_root(simd::square_root(error + 1e-100)));
     const Real factor = kSafety / (root * simd::square_root(root));
     return simd::lanewise_min(
@@ -164,9 +164,10 @@ class FormulaFlight : public FreeFlight<Real, 6> {
 
   /// Replaces rejected integration steps by steps of duration 0, and shortens the next trial steps.
   template <class Mask>
-  FPKCHECK_INLINE void undo_rejected_steps(const PhaseState<Real>& start, const Real& first,
-                                           const Real& next, const Mask& rejected,
-                                           FlightIntegratorState<Real>& integrator) {
+  FPKCHECK_INLINE void undo_rejected_integration_steps(const PhaseState<Real>& start,
+                                                       const Real& first, const Real& next,
+                                                       const Mask& rejected,
+                                                       FlightIntegratorState<Real>& integrator) {
     step_ = simd::select(rejected, Real{}, step_);
     end_.y = simd::select(rejected, start.y, end_.y);
     end_.v = simd::select(rejected, start.v, end_.v);
@@ -177,7 +178,7 @@ class FormulaFlight : public FreeFlight<Real, 6> {
   template <class Mask>
   FPKCHECK_INLINE Real acceleration(const PhaseState<Real>& at, const Real& after_start,
                                     const Mask& wanted) const {
-    const Real restoring = -(flight_forces(oscillator_, at, wanted) + oscillator_.force[0]);
+    const Real restoring = -(forces_in_lanes(oscillator_, at, wanted) + oscillator_.force[0]);
     if (oscillator_.external_force == nullptr) return restoring;
     return restoring + external_force(oscillator_, start_time_ + after_start);
   }
@@ -213,16 +214,17 @@ class FormulaFlight : public FreeFlight<Real, 6> {
     // divided by h^2 and by h, with the step h.
     const Real p = moved - 0.5 * first, q = u[kStages - 1] - first, r = k[kStages - 1] - first;
     const Real over = 1.0 / h;
-    const auto set = [&](Real & to, const Real& from) __attribute__((always_inline)) {
+    const auto set_in_moving_lanes = [&](Real & to, const Real& from)
+        __attribute__((always_inline)) {
       to = simd::select(moving, from, to);
     };
-    set(end_.y, end.y);
-    set(end_.v, end.v);
-    set(end_acceleration_, k[kStages - 1]);
-    set(a_[2], 0.5 * first);
-    set(a_[3], (10.0 * p - 4.0 * q + 0.5 * r) * over);
-    set(a_[4], (7.0 * q - 15.0 * p - r) * (over * over));
-    set(a_[5], (6.0 * p - 3.0 * q + 0.5 * r) * (over * over * over));
+    set_in_moving_lanes(end_.y, end.y);
+    set_in_moving_lanes(end_.v, end.v);
+    set_in_moving_lanes(end_acceleration_, k[kStages - 1]);
+    set_in_moving_lanes(a_[2], 0.5 * first);
+    set_in_moving_lanes(a_[3], (10.0 * p - 4.0 * q + 0.5 * r) * over);
+    set_in_moving_lanes(a_[4], (7.0 * q - 15.0 * p - r) * (over * over));
+    set_in_moving_lanes(a_[5], (6.0 * p - 3.0 * q + 0.5 * r) * (over * over * over));
     const double w = oscillator_.frequency;
     const auto size = [](const Real& x) __attribute__((always_inline)) {
       return simd::lanewise_max(x, -x);

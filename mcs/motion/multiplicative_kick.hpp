@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mcs/motion/advance.hpp"
+#include "mcs/motion/advance_trajectories.hpp"
 
 namespace fpkcheck::mcs {
 

@@ -42,8 +42,8 @@ double largest_square_slope(const problem::NoiseFactor& factor,
     for (const double v : {-1.0, -0.3, 0.3, 1.0}) {
       const double at_y = scales.centre + y * scales.displacement_deviation,
                    at_v = v * scales.velocity_deviation;
-      const double slope = factor.squared_factor_slope_in_v(at_y, at_v);
-      largest = std::max(largest, slope * slope / (4 * factor.squared_factor(at_y, at_v)));
+      const double slope = factor.squared_noise_factor_slope_in_v(at_y, at_v);
+      largest = std::max(largest, slope * slope / (4 * factor.squared_noise_factor(at_y, at_v)));
     }
   }
   return largest;
@@ -236,8 +236,8 @@ void add_noise_induced_drift(const SimulatedOscillator& oscillator, int count, c
                              const double* v, double multiple, double* force) {
   std::array<double, problem::Expression::kBatchPoints> inside{}, slopes{};
   for (int k = 0; k < count; ++k) inside[k] = clamp_to_walls(oscillator, y[k]);
-  oscillator.noise_factor->evaluate_squared_factor_slopes_in_v(static_cast<std::size_t>(count),
-                                                               inside.data(), v, slopes.data());
+  oscillator.noise_factor->evaluate_squared_noise_slopes_in_v(static_cast<std::size_t>(count),
+                                                              inside.data(), v, slopes.data());
   for (int k = 0; k < count; ++k) force[k] += multiple * slopes[k];
 }
 

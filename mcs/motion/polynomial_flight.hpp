@@ -112,7 +112,7 @@ class PolynomialFlight : public FreeFlight<Real, kOrder> {
   ///
   /// The velocity of a flight satisfies a linear equation with the coefficient g'(y). Within less
   /// than half a period (phase < pi) the velocity changes sign at most once (Sturm).
-  FPKCHECK_INLINE Real max_step(double phase) const {
+  FPKCHECK_INLINE Real max_flight_duration(double phase) const {
     const Real extent = oscillator_.length + simd::lanewise_max(a_[0], -a_[0]);
     const Real over = 1.0 / extent;
     Real logarithm_of_frequency = simd::all_lanes_equal_to<Real>(-1e3);

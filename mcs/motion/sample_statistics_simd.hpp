@@ -1,7 +1,7 @@
 #pragma once
 
 #include "mcs/motion/taylor_flight.hpp"
-#include "mcs/streams/stream.hpp"
+#include "mcs/streams/trajectory_stream.hpp"
 #include "numerics/simd/simd.hpp"
 
 // This file adds samples in SIMD lanes to moments and histograms, and is compiled for several
@@ -43,11 +43,11 @@ FPKCHECK_INLINE void add_weighted_monomials(const PhaseState<Real>& at, const Re
 /// @param y positions between the walls
 /// @param cells cells of the histogram of each trajectory stream
 template <int W, class Real>
-FPKCHECK_INLINE void add_samples_to_histograms(const BinFinder& y_bins, const BinFinder& v_bins,
-                                               const Real& y, const Real& v,
-                                               const Real& sample_weight,
-                                               TrajectoryStream* const* streams,
-                                               double* const (&cells)[W]) {
+FPKCHECK_INLINE void add_lane_samples_to_histograms(const BinFinder& y_bins,
+                                                    const BinFinder& v_bins, const Real& y,
+                                                    const Real& v, const Real& sample_weight,
+                                                    TrajectoryStream* const* streams,
+                                                    double* const (&cells)[W]) {
   if (y_bins.has_evenly_spaced_bins() && v_bins.has_evenly_spaced_bins()) {
     const auto row = simd::truncate_to_index(bin_position(y_bins, y));
     // The sign of v selects the bin next to the edge at 0, even within rounding of this edge. Near

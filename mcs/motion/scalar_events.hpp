@@ -1,6 +1,6 @@
 #pragma once
 
-#include "mcs/motion/advance.hpp"
+#include "mcs/motion/advance_trajectories.hpp"
 #include "numerics/simd/elementary_functions.hpp"
 
 // This file applies impulses and noise kicks to single streams, and is compiled for several
@@ -28,8 +28,8 @@ inline void count_turning_point(const StreamMotionParameters& motion, Trajectory
 
 /// Appends the present state of a stream to TrajectoryStream::states, if
 /// StreamMotionParameters::keeps_states.
-inline void record_state(const StreamMotionParameters& motion, TrajectoryStream& stream,
-                         RecordedState::Event event, double kick_variance = 0) {
+inline void record_trajectory_state(const StreamMotionParameters& motion, TrajectoryStream& stream,
+                                    RecordedState::Event event, double kick_variance = 0) {
   if (!motion.keeps_states) return;
   const TrajectoryBranch& b = stream.branch;
   stream.states.push_back({b.remaining, b.y, b.v, event, kick_variance});
@@ -39,11 +39,11 @@ inline void record_state(const StreamMotionParameters& motion, TrajectoryStream&
 inline void apply_impulse(const StreamMotionParameters& motion, TrajectoryStream& stream) {
   TrajectoryBranch& b = stream.branch;
   const double before = b.v;
-  record_state(motion, stream, RecordedState::Event::before_impulse);
+  record_trajectory_state(motion, stream, RecordedState::Event::before_impulse);
   if (!accept_impulse_by_thinning(motion, stream)) b.amplitude = 0;
   const double factor = impulse_factor(motion.oscillator, b.y);
   b.v += factor * b.amplitude;
-  record_state(motion, stream, RecordedState::Event::after_impulse);
+  record_trajectory_state(motion, stream, RecordedState::Event::after_impulse);
   b.time_to_rest = -1;
   count_turning_point(motion, stream, before, b.v);
   if (motion.records) {
@@ -83,7 +83,7 @@ inline void apply_noise_kick(const StreamMotionParameters& motion, TrajectoryStr
   const double before = b.v;
   const double damped = decay * b.v;
   b.v = damped + kick;
-  record_state(motion, stream, RecordedState::Event::after_kick, variance);
+  record_trajectory_state(motion, stream, RecordedState::Event::after_kick, variance);
   b.time_to_rest = -1;
   count_turning_point(motion, stream, before, b.v);
   if (motion.records) {

@@ -1,5 +1,5 @@
 #include "mcs/impulses/impulse_block_simd.hpp"
-#include "mcs/motion/advance_simd.hpp"
+#include "mcs/motion/advance_trajectories_simd.hpp"
 
 namespace fpkcheck::mcs::baseline {
 
@@ -8,8 +8,8 @@ ImpulseBlock make_impulse_block(const ImpulseProcess& excitation,
   return draw_impulse_block(excitation, uniforms);
 }
 
-void advance_streams(const StreamMotionParameters& motion, TrajectoryStream* const* streams,
-                     int stream_count) {
+void advance_trajectory_streams(const StreamMotionParameters& motion,
+                                TrajectoryStream* const* streams, int stream_count) {
   advance_lane_group<1, 2>(motion, streams, stream_count);
 }
 

@@ -17,7 +17,7 @@
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::mcs {
@@ -32,7 +32,7 @@ std::uint64_t checksum_of_text(std::string_view text) {
 }
 
 std::string write_failure_message(const std::string& path, const std::string& why) {
-  return fmt::format("cannot write the checkpoint {}: {}", base::sanitise(path), why);
+  return fmt::format("cannot write the checkpoint {}: {}", base::to_printable_text(path), why);
 }
 
 constexpr const char* kUnwritableReason =
@@ -100,7 +100,7 @@ std::string simulation_fingerprint(const problem::Problem& problem, const Simula
   }
   if (e.pieces) text += fmt::format("; pieces {:x}", e.pieces->checksum());
   if (plan.deposit) {
-    const SampleDepositGrid& g = plan.deposit->grid;
+    const SampleDepositionGrid& g = plan.deposit->grid;
     text += fmt::format("; deposit {:a}; {:a}; {:a} {:a} {}; {:a} {:a} {}; {:a} {:a} {}",
                         fmt::join(g.y_knots, " "), fmt::join(g.v_knots, " "), g.lattice_begin,
                         g.lattice_spacing, g.lattice_points, g.y_bins.first, g.y_bins.spacing,
@@ -172,7 +172,7 @@ void read_checkpoint(const std::string& path, const std::string& fingerprint,
   // bins.
   constexpr std::size_t kMostBytes = std::size_t{1} << 30;
   const auto read = base::read_input_file(path, kMostBytes);
-  const std::string name = base::sanitise(path);
+  const std::string name = base::to_printable_text(path);
   if (!read) {
     throw InputError(
         fmt::format("cannot read the checkpoint {}: no such file; name a file that --checkpoint "

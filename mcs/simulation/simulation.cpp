@@ -82,22 +82,22 @@ Simulation::Simulation(const problem::Problem& problem, const SimulationPlan& pl
   }
 }
 
-void Simulation::set_splitting(const ImportanceSplitting& splitting) {
+void Simulation::set_importance_splitting(const ImportanceSplitting& splitting) {
   motion_.splitting = &splitting;
   for (TrajectoryStream& stream : streams_) stream.record.energies.clear();
 }
 
-void Simulation::enable_displacement_series() {
+void Simulation::enable_displacement_recording() {
   assert(motion_.splitting == nullptr);
   motion_.records_displacement_series = true;
 }
 
-void Simulation::enable_states() {
+void Simulation::enable_state_recording() {
   assert(motion_.splitting == nullptr && motion_.kicks.factor == nullptr);
   motion_.keeps_states = true;
 }
 
-void Simulation::restart_stream(std::size_t stream, double y, double v) {
+void Simulation::restart_trajectory_stream(std::size_t stream, double y, double v) {
   TrajectoryBranch& branch = streams_[stream].branch;
   branch.y = y;
   branch.v = v;
@@ -134,11 +134,11 @@ void Simulation::set_contact_forces(double t) {
   for (TrajectoryStream& stream : streams_) stream.branch.time_to_rest = -1;
 }
 
-void Simulation::advance_between_times(double from, double to) {
+void Simulation::advance_streams_between_times(double from, double to) {
   motion_.time_dependence = plan_->time.is_acting() ? &plan_->time : nullptr;
   const auto advance_to = [&](double end) {
     motion_.end_time = end;
-    advance_streams(false, end - from);
+    advance_trajectory_streams(false, end - from);
     from = end;
   };
   const SimulatedOscillator& oscillator = plan_->oscillator;
@@ -170,14 +170,14 @@ void Simulation::advance_between_times(double from, double to) {
   }
 }
 
-void Simulation::run_burn_in() { advance_streams(false, plan_->burn_in); }
+void Simulation::run_burn_in() { advance_trajectory_streams(false, plan_->burn_in); }
 
-void Simulation::run_sampling_round() {
-  advance_streams(true, plan_->round_time());
+void Simulation::simulate_and_sample_one_round() {
+  advance_trajectory_streams(true, plan_->simulated_time_per_round());
   ++rounds_;
 }
 
-void Simulation::advance_streams(bool recorded, double time) {
+void Simulation::advance_trajectory_streams(bool recorded, double time) {
   static const simd::SimdVariant lanes = simd::available_simd_variants().back();
   StreamMotionParameters motion = motion_;
   if (!recorded) {
@@ -188,7 +188,7 @@ void Simulation::advance_streams(bool recorded, double time) {
   }
   const std::size_t groups = (streams_.size() + kGroup - 1) / kGroup;
   base::parallel_for(groups, plan_->threads, [&](std::size_t g) {
-    if (!is_stream_of_part(part_, g * kGroup)) return;
+    if (!is_stream_of_process(part_, g * kGroup)) return;
     std::vector<TrajectoryStream*> group;
     for (std::size_t s = g * kGroup; s < std::min((g + 1) * kGroup, streams_.size()); ++s) {
       group.push_back(&streams_[s]);
@@ -197,12 +197,12 @@ void Simulation::advance_streams(bool recorded, double time) {
   });
 }
 
-void Simulation::restrict_to_streams_of_part(int part, int part_count) {
+void Simulation::keep_streams_of_process(int part, int part_count) {
   part_ = part;
   parts_ = part_count;
 }
 
-bool Simulation::is_stream_of_part(int part, std::size_t stream) const {
+bool Simulation::is_stream_of_process(int part, std::size_t stream) const {
   return stream / kGroup % static_cast<std::size_t>(parts_) == static_cast<std::size_t>(part);
 }
 

@@ -50,7 +50,7 @@ constexpr double kMostAutomaticTimes = 1e4;
 // longest burn-in of all trajectory streams, as a fraction of the default time
 constexpr double kLongestBurnIn = 1.0 / 8;
 
-struct StreamEventRates {
+struct TrajectoryEventRates {
   double decay;  ///< decay rate of the slowest mode
   double impulses;
   double flights;  ///< rate of flights, plus the rate of noise kicks that act besides impulses
@@ -62,7 +62,7 @@ struct StreamEventRates {
   double total_rate() const { return impulses + flights; }
 };
 
-double default_simulated_time(const SimulationOptions& options, const StreamEventRates& rates) {
+double default_simulated_time(const SimulationOptions& options, const TrajectoryEventRates& rates) {
   const double share = options.tails ? kTailsShare : options.controlled ? kControlledShare : 1;
   const double full = kAutomaticTime * share / rates.decay;
   const double most = (options.tails ? kMostTrunkEvents : kMostRunEvents) / rates.total_rate();
@@ -78,7 +78,7 @@ double default_simulated_time(const SimulationOptions& options, const StreamEven
                   is_out_of_reach ? default_time : std::max(default_time, std::min(enough, most)));
 }
 
-double burn_in_time(const SimulationOptions& options, const StreamEventRates& rates,
+double burn_in_time(const SimulationOptions& options, const TrajectoryEventRates& rates,
                     double automatic, double time) {
   return std::min(kBurnIn / rates.decay,
                   std::max(kLongestBurnIn * automatic, time) / options.streams);
@@ -99,7 +99,7 @@ struct SimulationDurations {
 /// longer simulation. With several wells and rare transitions even a minute would not determine the
 /// masses of the wells, and the simulation takes only a few seconds.
 SimulationDurations choose_durations(const SimulationOptions& options,
-                                     const StreamEventRates& rates) {
+                                     const TrajectoryEventRates& rates) {
   const double automatic = default_simulated_time(options, rates);
   const bool open_ended = options.samples || options.target_error;
   const double time = options.time.value_or(automatic * (open_ended ? kMostAutomaticTimes : 1));
@@ -109,7 +109,7 @@ SimulationDurations choose_durations(const SimulationOptions& options,
                                 .short_burn_in_cause = ShortBurnInCause::none};
   const auto is_long_enough = [&](double taken) { return taken * rates.decay >= kLeastBurnIn; };
   if (is_long_enough(durations.burn_in)) return durations;
-  StreamEventRates without = rates;
+  TrajectoryEventRates without = rates;
   without.impulses = 0;
   const double of_motion = default_simulated_time(options, without);
   durations.short_burn_in_cause =
@@ -156,11 +156,12 @@ SimulationRoundCounts choose_rounds(const SimulationOptions& options,
                                     const SimulationDurations& durations, double interval,
                                     double events) {
   const double time = durations.time;
-  const double round_time = std::min(
+  const double simulated_time_per_round = std::min(
       {durations.automatic / kAutomaticRounds, time / kFewestRounds, kMostEvents / events});
   // The length of a sampling round is independent of the requested time, unless the requested time
   // is short. A longer simulation can therefore resume from the checkpoint of a shorter simulation.
-  const double samples = std::ceil(round_time / options.streams / interval * (1 - 1e-12));
+  const double samples =
+      std::ceil(simulated_time_per_round / options.streams / interval * (1 - 1e-12));
   const double rounds = std::ceil(time / (samples * options.streams * interval) * (1 - 1e-12));
   if (!(samples >= 1 && samples * rounds <= kMostSamples)) {
     throw InputError(fmt::format(
@@ -265,14 +266,15 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem,
       problem, scales, by_kicks ? problem.impulses.rate_times_moment(1) : 0, kicks.is_acting());
   // A FormulaFlight lasts about a quarter of the time of a PolynomialFlight.
   const double flights_per_step = oscillator.kind == SimulatedOscillator::Kind::formula ? 4 : 1;
-  const StreamEventRates rates{.decay = scales.slowest_decay_rate,
-                               .impulses = 1 / excitation.interval,
-                               .flights = kick_rate + flights_per_step * scales.frequency / step,
-                               .duffing_flights = duffing_at_wall,
-                               .wells = features.wells};
+  const TrajectoryEventRates rates{
+      .decay = scales.slowest_decay_rate,
+      .impulses = 1 / excitation.interval,
+      .flights = kick_rate + flights_per_step * scales.frequency / step,
+      .duffing_flights = duffing_at_wall,
+      .wells = features.wells};
   const SimulationDurations durations = choose_durations(options, rates);
   const auto [samples, rounds] = choose_rounds(options, durations, interval, rates.total_rate());
-  std::optional<SampleDepositPlan> deposit;
+  std::optional<SampleDepositionPlan> deposit;
   if (options.deposit) {
     deposit.emplace(*options.deposit, problem.impulses.arrival_rate(), interval);
   }

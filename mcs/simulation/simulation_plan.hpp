@@ -9,7 +9,7 @@
 #include "mcs/options.hpp"
 #include "mcs/streams/histogram.hpp"
 #include "problem/problem.hpp"
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 namespace fpkcheck::mcs {
 
@@ -47,10 +47,12 @@ struct SimulationPlan {
   ImpulseProcess excitation;
   BinFinder y_bins;
   BinFinder v_bins;
-  std::optional<SampleDepositPlan> deposit{};
+  std::optional<SampleDepositionPlan> deposit{};
   problem::ExcitationTimeDependence time{};  ///< changes of the excitation in time
 
-  double round_time() const { return static_cast<double>(samples_per_round) * sampling_interval; }
+  double simulated_time_per_round() const {
+    return static_cast<double>(samples_per_round) * sampling_interval;
+  }
 
   const BinFinder& bin_finder_of_variable(transform::StateVariable variable) const {
     return variable == transform::StateVariable::y ? y_bins : v_bins;

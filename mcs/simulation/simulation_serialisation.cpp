@@ -164,13 +164,13 @@ void Simulation::load_state(std::istream& in) {
 
 void Simulation::save_streams_of_this_process(std::ostream& out) const {
   for (std::size_t s = 0; s < streams_.size(); ++s) {
-    if (is_stream_of_part(part_, s)) save_stream(out, streams_[s]);
+    if (is_stream_of_process(part_, s)) save_stream(out, streams_[s]);
   }
 }
 
-void Simulation::load_streams_of_part(std::istream& in, int part) {
+void Simulation::load_streams_of_process(std::istream& in, int part) {
   for (std::size_t s = 0; s < streams_.size(); ++s) {
-    if (is_stream_of_part(part, s)) load_stream(in, streams_[s]);
+    if (is_stream_of_process(part, s)) load_stream(in, streams_[s]);
   }
   require_valid_state(static_cast<bool>(in) && in.peek() == std::istream::traits_type::eof());
 }

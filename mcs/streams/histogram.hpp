@@ -20,7 +20,7 @@ class BinFinder {
   /// Returns the index of the bin that contains x: 0 below the first edge, 1 .. n between the
   /// edges, n + 1 at or above the last edge.
   std::size_t operator()(double x) const {
-    std::size_t bin = first_bin_[static_cast<std::size_t>(cell_position(x))];
+    std::size_t bin = first_bin_[static_cast<std::size_t>(histogram_cell_position(x))];
     while (x < guarded_edges_[bin]) --bin;
     while (x >= guarded_edges_[bin + 1]) ++bin;
     return bin;
@@ -39,7 +39,7 @@ class BinFinder {
  private:
   /// Returns the approximate index of the search cell that contains x; search cells are half as
   /// wide as the mean bin. The result for NaN is 0.
-  double cell_position(double x) const {
+  double histogram_cell_position(double x) const {
     const double from_first = (x - first_edge_) * 2 * bins_per_length_;
     return from_first > 0 ? std::min(from_first, last_cell_) : 0;
   }
@@ -76,8 +76,8 @@ class JointHistogram {
   std::vector<double> row_sums() const;
   std::vector<double> column_sums() const;
 
-  std::vector<double>& weights() { return weights_; }
-  const std::vector<double>& weights() const { return weights_; }
+  std::vector<double>& histogram_cell_weights() { return weights_; }
+  const std::vector<double>& histogram_cell_weights() const { return weights_; }
 
  private:
   std::size_t columns_;

@@ -45,14 +45,14 @@ int ImportanceSplitting::energy_level(double energy) const {
   return static_cast<int>(std::ranges::upper_bound(thresholds_, energy) - thresholds_.begin());
 }
 
-bool ImportanceSplitting::may_split(const TrajectoryStreamStatistics& record) const {
+bool ImportanceSplitting::may_split_branch(const TrajectoryStreamStatistics& record) const {
   const auto most = static_cast<std::uint64_t>(kBranchImpulsesPerThreshold * threshold_count());
   return record.branch_impulses < kBranchImpulseAllowance + most * record.impulses;
 }
 
 void ImportanceSplitting::split_branch(TrajectoryStream& stream, int from, bool at_impulse) const {
   const int to = stream.branch.energy_level, first = std::max(from, to - kMaxSplitsPerBranch);
-  if (!may_split(stream.record)) return;
+  if (!may_split_branch(stream.record)) return;
   stream.branch.split |= threshold_bits(first, to);
   const TrajectoryBranch origin = stream.branch;
   stream.pending_branches.push_back({.branch = origin});
@@ -95,7 +95,7 @@ void ImportanceSplitting::split_initial_state(TrajectoryStream& stream) const {
 
 void resume_pending_branch(TrajectoryStream& stream) {
   assert(!stream.pending_branches.empty());
-  PendingBranch& next = stream.pending_branches.back();
+  PendingTrajectoryBranch& next = stream.pending_branches.back();
   stream.branch = next.branch;
   if (next.copies > 0) {
     const Impulse impulse = stream.source.next_impulse();

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mcs/streams/stream.hpp"
+#include "mcs/streams/trajectory_stream.hpp"
 #include "numerics/polynomials/polynomial.hpp"
 
 namespace fpkcheck::mcs {
@@ -63,7 +63,7 @@ class ImportanceSplitting {
  private:
   double branch_energy(const TrajectoryBranch& branch) const;
   int energy_level(double energy) const;
-  bool may_split(const TrajectoryStreamStatistics& record) const;
+  bool may_split_branch(const TrajectoryStreamStatistics& record) const;
   void split_branch(TrajectoryStream& stream, int from, bool at_impulse) const;
 
   numerics::Polynomial potential_;

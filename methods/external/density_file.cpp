@@ -10,8 +10,8 @@
 
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
-#include "results/json.hpp"
+#include "base/text/printable_text.hpp"
+#include "results/json_conversions.hpp"
 #include "results/netcdf/reader.hpp"
 #include "results/run_json.hpp"
 
@@ -26,7 +26,7 @@ DensityFileContent read_density_file(const std::filesystem::path& file) {
   }
   if (bytes->starts_with(results::kNetCdfMagic))
     return {DensityFileFormat::netcdf, *std::move(bytes)};
-  const std::string name = base::sanitise(file.string());
+  const std::string name = base::to_printable_text(file.string());
   if (bytes->starts_with("CDF")) {
     throw InputError(fmt::format(
         "{} has the classic netCDF format; convert it to netCDF-4 by nccopy -k nc4", name));
@@ -55,8 +55,8 @@ epc::ClosedFormDensity to_closed_form(const transform::Metrics& metrics,
   }
 }
 
-ClosedFormFile closed_form_of_run(const results::Run& run, const std::string& file_name,
-                                  const SolutionSelection& choice) {
+ClosedFormDensityFile closed_form_of_run(const results::Run& run, const std::string& file_name,
+                                         const SavedSolutionSelection& choice) {
   std::vector<std::string> cases;
   for (const auto& case_result : run.cases) cases.push_back(case_result.name());
   auto requested = choice.case_name;
@@ -76,7 +76,8 @@ ClosedFormFile closed_form_of_run(const results::Run& run, const std::string& fi
                     base::in_quotes(*choice.solution), case_result.name(),
                     with_form.empty() ? "" : fmt::format("; use {}", fmt::join(with_form, ", "))));
   }
-  const std::string of_case = fmt::format("{}, {}", file_name, base::sanitise(case_result.name()));
+  const std::string of_case =
+      fmt::format("{}, {}", file_name, base::to_printable_text(case_result.name()));
   const auto& solution = *case_result.find(
       with_form[index_of_requested_name(with_form, choice.solution, "solution", of_case)]);
   return {to_closed_form(solution.metrics, fmt::format("{}: {}", file_name, solution.id())),
@@ -93,7 +94,7 @@ std::size_t index_of_requested_name(const std::vector<std::string>& names,
         fmt::format("{} contains no {} with a density of this kind", file_name, item_kind));
   }
   std::vector<std::string> known;
-  for (const auto& name : names) known.push_back(base::sanitise(name));
+  for (const auto& name : names) known.push_back(base::to_printable_text(name));
   if (!requested) {
     if (names.size() == 1) return 0;
     throw InputError(fmt::format("{} contains {} {}s; select one by {}=: {}", file_name,
@@ -107,8 +108,8 @@ std::size_t index_of_requested_name(const std::vector<std::string>& names,
   return static_cast<std::size_t>(found - names.begin());
 }
 
-ClosedFormFile read_closed_form_file(const std::string& text, const std::string& file_name,
-                                     const SolutionSelection& choice) {
+ClosedFormDensityFile read_closed_form_file(const std::string& text, const std::string& file_name,
+                                            const SavedSolutionSelection& choice) {
   if (results::is_run_summary(text, file_name)) {
     std::istringstream in(text);
     return closed_form_of_run(results::read_run_summary(in, file_name), file_name, choice);

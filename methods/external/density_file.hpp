@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "epc/form/closed_form.hpp"
+#include "epc/form/closed_form_parameters.hpp"
 #include "problem/problem.hpp"
 #include "transform/solution.hpp"
 
@@ -27,7 +27,7 @@ struct DensityFileContent {
 DensityFileContent read_density_file(const std::filesystem::path& file);
 
 /// The selection of one solution of a saved run.
-struct SolutionSelection {
+struct SavedSolutionSelection {
   std::optional<std::string> solution = {};
   std::optional<std::string> case_name = {};
   /// Name of the case that is selected if `case_name` is empty and the run has a case with this
@@ -36,7 +36,7 @@ struct SolutionSelection {
 };
 
 /// The contents of a JSON file with the closed form of a density.
-struct ClosedFormFile {
+struct ClosedFormDensityFile {
   epc::ClosedFormDensity form;
   std::optional<problem::Problem> problem = {};  ///< problem of the saved run, if any
   /// Solution with the closed form in a saved run; has no density.
@@ -48,8 +48,8 @@ struct ClosedFormFile {
 /// @param file_name name of the file, for messages
 /// @throws InputError with a message of one line, if the text is not JSON, or `choice` does not
 ///         select exactly one complete closed form
-ClosedFormFile read_closed_form_file(const std::string& text, const std::string& file_name,
-                                     const SolutionSelection& choice);
+ClosedFormDensityFile read_closed_form_file(const std::string& text, const std::string& file_name,
+                                            const SavedSolutionSelection& choice);
 
 /// Returns the index of the requested name in `names`. If no name is requested, `names` must have
 /// one element, and the result is its index.

@@ -68,7 +68,7 @@ std::vector<double> quadrature_weights(const std::vector<double>& edges) {
 
 }  // namespace
 
-DensityQuadratureGrid::DensityQuadratureGrid(const compare::ComparisonAxes& axes,
+DensityQuadratureGrid::DensityQuadratureGrid(const compare::ComparisonBins& axes,
                                              const problem::Walls& walls)
     : walls_(walls),
       has_wall_at_start_(is_at_wall(walls.left, axes.y_edges.front())),

@@ -3,9 +3,9 @@
 #include <functional>
 #include <vector>
 
-#include "compare/comparison_axes.hpp"
+#include "compare/comparison_bins.hpp"
 #include "problem/walls.hpp"
-#include "transform/density.hpp"
+#include "transform/joint_density.hpp"
 
 namespace fpkcheck::methods {
 
@@ -14,7 +14,7 @@ class DensityQuadratureGrid {
  public:
   /// Makes the cells from the comparison axes. On each side without a wall, additional cells extend
   /// the range of the comparison axes to 10/7 of its length, to include the mass outside.
-  DensityQuadratureGrid(const compare::ComparisonAxes& axes, const problem::Walls& walls);
+  DensityQuadratureGrid(const compare::ComparisonBins& axes, const problem::Walls& walls);
 
   const problem::Walls& walls() const { return walls_; }
   /// Returns whether the cells in y begin at the left wall.

@@ -9,7 +9,7 @@
 #include "base/input_error.hpp"
 #include "base/options/enum_names.hpp"
 #include "base/text/parse_number.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "results/output_directory.hpp"
 
 namespace fpkcheck::methods {
@@ -30,7 +30,7 @@ int parse_order(const std::string& value) {
                                base::in_quotes(value), kMaxOrder));
 }
 
-void set(const std::string& key, const std::string& value, ExternalArgument& argument) {
+void set(const std::string& key, const std::string& value, ExternalDensityArgument& argument) {
   if (key == "equation") {
     argument.equation = base::parse_enum<problem::DensityEquation>("--against: equation =", value);
   } else if (key == "impact") {
@@ -63,8 +63,8 @@ std::size_t last_setting_position(const std::string& text) {
 
 }  // namespace
 
-ExternalArgument parse_external_argument(const std::string& text) {
-  ExternalArgument argument;
+ExternalDensityArgument parse_external_argument(const std::string& text) {
+  ExternalDensityArgument argument;
   std::string rest = text;
   while (!file_exists(rest)) {
     const auto comma = last_setting_position(rest), colon = rest.rfind(':');

@@ -4,12 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "problem/model.hpp"
+#include "problem/equation_and_impact_condition.hpp"
 
 namespace fpkcheck::methods {
 
 /// An argument FILE[:LABEL][,KEY=VALUE].. of the option --against.
-struct ExternalArgument {
+struct ExternalDensityArgument {
   std::filesystem::path file;
   std::string label;  ///< label of the density; by default the file name without extension
   bool has_label = true;
@@ -26,6 +26,6 @@ struct ExternalArgument {
 /// not split at colons and commas.
 /// @throws InputError with a message of one line, for an unknown key, an invalid value, or an
 ///         impact condition without an equation
-ExternalArgument parse_external_argument(const std::string& text);
+ExternalDensityArgument parse_external_argument(const std::string& text);
 
 }  // namespace fpkcheck::methods

@@ -10,7 +10,7 @@
 #include "methods/plot_style.hpp"
 #include "problem/balances.hpp"
 #include "problem/problem_features.hpp"
-#include "transform/metric.hpp"
+#include "transform/solver_metric.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -76,7 +76,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   };
   const auto mean = [&](const auto& function) {
     return integrals.integrate_times_density([&](double y, double v) {
-      return function(frame.wall_x(y), frame.physical_velocity(v));
+      return function(frame.wall_coordinate(y), frame.physical_velocity(v));
     }) / mass;
   };
   const auto wall_momentum = [&](bool right) {
@@ -100,12 +100,13 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
       .mean_cubed_velocity = mean([](double, double v) { return v * v * v; }),
       .mean_absolute_force = mean([&](double x, double) { return std::abs(system.force(x, 0)); })};
   transform::BalanceResiduals residuals{
-      .virial = problem::virial_balance(transformed, virial).relative_residual()};
+      .virial = problem::virial_balance(transformed, virial).relative_balance_residual()};
   // For impulses with mean zero and a system without a wall, both sides of the momentum balance are
   // 0.
   const bool has_mean_impulse = problem.impulses.rate_times_moment(1) != 0;
   if (problem.system.left_wall() || problem.system.right_wall() || has_mean_impulse) {
-    residuals.momentum = problem::momentum_balance(transformed, momentum).relative_residual();
+    residuals.momentum =
+        problem::momentum_balance(transformed, momentum).relative_balance_residual();
   }
   return residuals;
 }
@@ -190,7 +191,7 @@ Solution make_external_density_solution(const problem::Problem& problem,
   const double left_loss = integrals.sum_over_left_impacts(loss(system.left_wall()));
   const double right_loss = integrals.sum_over_right_impacts(loss(system.right_wall()));
   const double square_noise_factor = integrals.integrate_times_density([&](double y, double v) {
-    return problem.noise_factor ? problem.noise_factor->squared_factor(y, v) : 1;
+    return problem.noise_factor ? problem.noise_factor->squared_noise_factor(y, v) : 1;
   });
   const double square_impulse_factor = integrals.integrate_times_density(
       [&](double y, double) { return problem::squared_impulse_factor(problem, y); });

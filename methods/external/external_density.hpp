@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "methods/external/density_quadrature.hpp"
-#include "methods/method.hpp"
+#include "methods/method_interface.hpp"
 
 /// Methods that return an external density, from a file or from Python, instead of solving an
 /// equation. An external density with a stated equation has the role of a closure. An external

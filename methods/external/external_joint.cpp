@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "epc/closed_form_density.hpp"
 #include "methods/external/density_file.hpp"
 #include "methods/external/joint_table.hpp"
@@ -43,8 +43,8 @@ ExternalJointDensity joint_from_points(JointTable table, const std::string& path
   return joint;
 }
 
-ExternalJointDensity joint_from_run(const ExternalArgument& argument, const std::string& where,
-                                    const std::string& default_case,
+ExternalJointDensity joint_from_run(const ExternalDensityArgument& argument,
+                                    const std::string& where, const std::string& default_case,
                                     const SolverRegistry& registry) {
   auto file = results::read_joint_netcdf(argument.file);
   std::vector<std::string> cases, solutions;
@@ -104,8 +104,9 @@ JointTable to_joint_table(results::NetCdfJointDensityVariable variable, const st
   const auto of_v = velocity_column_index(names);
   if (of_v >= names.size()) {
     throw InputError(fmt::format("{}: {} has the coordinates {} and {}; name them y and v", where,
-                                 base::sanitise(variable.name), base::sanitise(names[0]),
-                                 base::sanitise(names[1])));
+                                 base::to_printable_text(variable.name),
+                                 base::to_printable_text(names[0]),
+                                 base::to_printable_text(names[1])));
   }
   if (of_v == 1)
     return {std::move(variable.first), std::move(variable.second), std::move(variable.values)};
@@ -124,10 +125,10 @@ ExternalJointDensity joint_density_from_table(const NumberTable& table) {
   return joint_from_points(make_joint_table(table), table.source);
 }
 
-ExternalJointDensity joint_density_from_netcdf(const ExternalArgument& argument, std::string bytes,
-                                               const std::string& default_case,
+ExternalJointDensity joint_density_from_netcdf(const ExternalDensityArgument& argument,
+                                               std::string bytes, const std::string& default_case,
                                                const SolverRegistry& registry) {
-  const std::string where = base::sanitise(argument.file.string());
+  const std::string where = base::to_printable_text(argument.file.string());
   if (results::is_joint_netcdf(bytes))
     return joint_from_run(argument, where, default_case, registry);
   if (argument.solution || argument.case_name) {
@@ -140,11 +141,11 @@ ExternalJointDensity joint_density_from_netcdf(const ExternalArgument& argument,
   return joint_from_points(std::move(table), where);
 }
 
-ExternalJointDensity joint_density_from_json(const ExternalArgument& argument,
+ExternalJointDensity joint_density_from_json(const ExternalDensityArgument& argument,
                                              const std::string& text,
                                              const std::string& default_case) {
-  const std::string where = base::sanitise(argument.file.string());
-  auto file = std::make_shared<const ClosedFormFile>(
+  const std::string where = base::to_printable_text(argument.file.string());
+  auto file = std::make_shared<const ClosedFormDensityFile>(
       read_closed_form_file(text, where, {argument.solution, argument.case_name, default_case}));
   const auto& [form, problem, solution] = *file;
   ExternalJointDensity joint{
@@ -183,7 +184,7 @@ ExternalJointDensity joint_density_from_json(const ExternalArgument& argument,
 Method make_method_from_joint_density(const ExternalDensity& external,
                                       const ExternalJointDensity& joint) {
   const auto check = [external, joint](const problem::Problem& problem) {
-    const DensityQuadratureGrid points(compare::comparison_axes(problem), problem.system.walls());
+    const DensityQuadratureGrid points(compare::comparison_bins(problem), problem.system.walls());
     return validated_density_integral(external, points, joint.values(problem, points));
   };
   const auto solve = [external, joint](const problem::Problem& problem,

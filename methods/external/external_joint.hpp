@@ -35,13 +35,13 @@ ExternalJointDensity joint_density_from_table(const NumberTable& table);
 /// Reads a joint density from an external netCDF-4 file or from the joint.nc of a run.
 /// @param default_case name of the case to use if `argument` has no case name
 /// @throws InputError with a message of one line
-ExternalJointDensity joint_density_from_netcdf(const ExternalArgument& argument, std::string bytes,
-                                               const std::string& default_case,
+ExternalJointDensity joint_density_from_netcdf(const ExternalDensityArgument& argument,
+                                               std::string bytes, const std::string& default_case,
                                                const SolverRegistry& registry);
 /// Reads a joint density from a JSON file with a closed form, or from the summary of a run.
 /// @param default_case name of the case to use if `argument` has no case name
 /// @throws InputError with a message of one line
-ExternalJointDensity joint_density_from_json(const ExternalArgument& argument,
+ExternalJointDensity joint_density_from_json(const ExternalDensityArgument& argument,
                                              const std::string& text,
                                              const std::string& default_case);
 

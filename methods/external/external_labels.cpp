@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "methods/plot_style.hpp"
 #include "results/output_directory.hpp"
 
@@ -70,7 +70,7 @@ void require_distinct_labels(const std::string& one, const std::string& other) {
       "labels '{}' and '{}' differ only in '-', '_' or '.'; choose another label", one, other));
 }
 
-void group_into_families(std::span<Method> methods) {
+void group_methods_into_families(std::span<Method> methods) {
   for (std::size_t first = 0; first < methods.size(); ++first) {
     const auto name = family_name(methods[first].identity);
     if (!name || methods[first].identity.family == *name) continue;

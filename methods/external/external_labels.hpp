@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "methods/method.hpp"
+#include "methods/method_interface.hpp"
 #include "methods/registry.hpp"
 
 namespace fpkcheck::methods {
@@ -22,6 +22,6 @@ void require_distinct_labels(const std::string& one, const std::string& other);
 /// label of a member is the family name followed by the order: "chi-n2", "chi2" or "chi_2" for
 /// order 2. The members of a family have the same colour and different dash patterns.
 /// @param methods external densities from files, functions or samples
-void group_into_families(std::span<Method> methods);
+void group_methods_into_families(std::span<Method> methods);
 
 }  // namespace fpkcheck::methods

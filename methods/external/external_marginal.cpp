@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "methods/external/bin_average_errors.hpp"
 #include "methods/external/number_table.hpp"
 #include "numerics/statistics.hpp"
@@ -145,7 +145,7 @@ void ExternalMarginal::read_points(const NumberTable& table) {
 void ExternalMarginal::normalise(HistogramQuantity value) {
   constexpr double kNearOne = 0.1;
   const double total = cumulative_.back();
-  const std::string file = base::sanitise(file_.path);
+  const std::string file = base::to_printable_text(file_.path);
   if (!(total > 0)) throw InputError(fmt::format("{}: the density is 0 everywhere", file));
   if (!std::isfinite(total)) {
     throw InputError(fmt::format("{}: the integral overflows; choose other units", file));
@@ -191,7 +191,7 @@ void ExternalMarginal::add_cut_off_notes() {
   if (!is_at_wall(walls_.right, knots_.back())) note(knots_.back());
 }
 
-double ExternalMarginal::cumulative(double x) const {
+double ExternalMarginal::marginal_cumulative_probability(double x) const {
   if (x <= knots_.front()) return 0;
   if (x >= knots_.back()) return cumulative_.back();
   const auto k = std::ranges::upper_bound(knots_, x) - knots_.begin() - 1;
@@ -201,9 +201,9 @@ double ExternalMarginal::cumulative(double x) const {
 
 transform::Marginal ExternalMarginal::average_over_bins(std::span<const double> edges) const {
   transform::Marginal result{{edges.begin(), edges.end()}, {}, {}, {}};
-  double below = cumulative(edges.front());
+  double below = marginal_cumulative_probability(edges.front());
   for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
-    const double upper = cumulative(edges[b + 1]);
+    const double upper = marginal_cumulative_probability(edges[b + 1]);
     result.density.push_back(std::max(scale_ * (upper - below) / result.bin_width(b), 0.0));
     below = upper;
   }
@@ -218,7 +218,10 @@ transform::Marginal ExternalMarginal::average_over_bins(std::span<const double> 
 }
 
 double ExternalMarginal::mass_fraction_outside(double lower, double upper) const {
-  return std::clamp(1 - (cumulative(upper) - cumulative(lower)) / cumulative_.back(), 0.0, 1.0);
+  return std::clamp(
+      1 - (marginal_cumulative_probability(upper) - marginal_cumulative_probability(lower)) /
+              cumulative_.back(),
+      0.0, 1.0);
 }
 
 double ExternalMarginal::moment(int power) const {

@@ -9,7 +9,7 @@
 #include "methods/external/bin_average_errors.hpp"
 #include "methods/external/number_table.hpp"
 #include "methods/external/range_between_walls.hpp"
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 namespace fpkcheck::methods {
 
@@ -62,7 +62,7 @@ class ExternalMarginal {
   void read_points(const NumberTable& table);
   void normalise(HistogramQuantity value);
   void add_cut_off_notes();
-  double cumulative(double x) const;
+  double marginal_cumulative_probability(double x) const;
 
   transform::StateVariable variable_;
   problem::Walls walls_;  // walls; none for a density of y'

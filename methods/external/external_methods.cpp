@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "methods/external/density_file.hpp"
 #include "methods/external/external_argument.hpp"
 #include "methods/external/external_density.hpp"
@@ -20,7 +20,7 @@
 #include "methods/external/joint_table.hpp"
 #include "methods/external/range_between_walls.hpp"
 #include "problem/balances.hpp"
-#include "transform/metric.hpp"
+#include "transform/solver_metric.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -100,16 +100,16 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
     if (virial.coefficient(n) == 0) continue;
     mean_virial += virial.coefficient(n) * y->moment(static_cast<int>(n));
   }
-  return {.virial =
-              problem::virial_balance(transformed, {.mean_displacement = frame.wall_x(y->moment(1)),
-                                                    .mean_square_velocity = ydot->moment(2),
-                                                    .mean_virial = mean_virial})
-                  .relative_residual()};
+  return {.virial = problem::virial_balance(
+                        transformed, {.mean_displacement = frame.wall_coordinate(y->moment(1)),
+                                      .mean_square_velocity = ydot->moment(2),
+                                      .mean_virial = mean_virial})
+                        .relative_balance_residual()};
 }
 
 transform::Solution marginals_solution(const problem::Problem& problem,
                                        const std::vector<ExternalMarginal>& marginals,
-                                       const compare::ComparisonAxes& axes) {
+                                       const compare::ComparisonBins& axes) {
   transform::Solution solution;
   solution.status = transform::Status::ok;
   solution.energy_residual = unknown_value();
@@ -156,7 +156,7 @@ std::vector<ExternalMarginal> read_marginals(const problem::Problem& problem,
   return marginals;
 }
 
-struct LabelledFiles {
+struct DensityFilesWithLabel {
   ExternalDensity external;
   std::vector<MarginalFile> marginals;
   std::optional<ExternalJointDensity> joint;
@@ -164,7 +164,7 @@ struct LabelledFiles {
 
 // Sets the equation, impact condition and order of a density from the argument. A setting that the
 // argument of --against lacks is taken from the density file.
-void set_identity(const ExternalArgument& argument, const ExternalJointDensity* joint,
+void set_identity(const ExternalDensityArgument& argument, const ExternalJointDensity* joint,
                   ExternalDensity& external) {
   const auto differ = [&](const char* what) {
     throw InputError(fmt::format("the files of '{}' have different {}s; give the same for all",
@@ -193,7 +193,7 @@ void set_identity(const ExternalArgument& argument, const ExternalJointDensity* 
   }
 }
 
-void add_marginal(NumberTable table, LabelledFiles& given) {
+void add_marginal(NumberTable table, DensityFilesWithLabel& given) {
   const StateVariable variable = ExternalMarginal(table, {}).variable();
   if (std::ranges::find(given.marginals, variable, &MarginalFile::variable) !=
       given.marginals.end()) {
@@ -204,8 +204,8 @@ void add_marginal(NumberTable table, LabelledFiles& given) {
   given.marginals.push_back({std::move(table), variable});
 }
 
-void read_density_into(const ExternalArgument& argument, const std::string& case_name,
-                       const SolverRegistry& registry, LabelledFiles& given) {
+void read_density_into(const ExternalDensityArgument& argument, const std::string& case_name,
+                       const SolverRegistry& registry, DensityFilesWithLabel& given) {
   auto [form, bytes] = read_density_file(argument.file);
   std::optional<ExternalJointDensity> joint;
   if (form == DensityFileFormat::netcdf) {
@@ -251,13 +251,13 @@ Method make_marginals_method(const ExternalDensity& external,
 std::vector<Method> external_density_methods_from_files(std::span<const std::string> arguments,
                                                         const SolverRegistry& registry,
                                                         const std::string& case_name) {
-  std::vector<LabelledFiles> solutions;
+  std::vector<DensityFilesWithLabel> solutions;
   for (const auto& text : arguments) {
     auto argument = parse_external_argument(text);
     if (argument.solution && !argument.has_label) argument.label = "given-" + *argument.solution;
     const std::string& label = argument.label;
     require_valid_label(label, registry);
-    const auto label_of = [](const LabelledFiles& given) { return given.external.label; };
+    const auto label_of = [](const DensityFilesWithLabel& given) { return given.external.label; };
     auto external = std::ranges::find(solutions, label, label_of);
     for (const auto& given : solutions) require_distinct_labels(given.external.label, label);
     if (external == solutions.end()) {
@@ -270,7 +270,7 @@ std::vector<Method> external_density_methods_from_files(std::span<const std::str
     methods.push_back(joint ? make_method_from_joint_density(external, *joint)
                             : make_marginals_method(external, marginals));
   }
-  group_into_families(methods);
+  group_methods_into_families(methods);
   return methods;
 }
 

@@ -91,7 +91,7 @@ void set_moments(const StateSamples& samples, Solution& solution) {
 }
 
 Solution samples_solution(const StateSamples& samples, const problem::Problem& problem,
-                          const compare::ComparisonAxes& axes) {
+                          const compare::ComparisonBins& axes) {
   Solution solution;
   solution.status = Status::ok;
   solution.energy_residual = kUnknown;

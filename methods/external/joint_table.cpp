@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "methods/external/number_table.hpp"
 #include "methods/external/range_between_walls.hpp"
 
@@ -69,7 +69,7 @@ bool is_joint_density(const NumberTable& table) {
 
 JointTable make_joint_table(const NumberTable& table) {
   const std::size_t of_v = velocity_column_index(table.names), of_y = 1 - of_v;
-  const std::string source = base::sanitise(table.source);
+  const std::string source = base::to_printable_text(table.source);
   JointTable joint{distinct_values(table, of_y), distinct_values(table, of_v), {}};
   require_axis(joint.y, "y", source);
   require_axis(joint.v, "y'", source);

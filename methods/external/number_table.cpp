@@ -13,7 +13,7 @@
 
 #include "base/input_error.hpp"
 #include "base/text/parse_number.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -91,7 +91,7 @@ std::vector<double> NumberTable::column_values(std::size_t c) const {
 }
 
 void NumberTable::throw_row_error(std::size_t row, const std::string& problem) const {
-  throw InputError(fmt::format("{}:{}: {}", base::sanitise(source), lines[row], problem));
+  throw InputError(fmt::format("{}:{}: {}", base::to_printable_text(source), lines[row], problem));
 }
 
 NumberTable read_number_table(std::istream& in, const std::string& source) {
@@ -99,7 +99,8 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
   std::vector<std::string> comment;
   int line_number = 0;
   const auto throw_row_error = [&](const std::string& problem) {
-    throw InputError(fmt::format("{}:{}: {}", base::sanitise(source), line_number, problem));
+    throw InputError(
+        fmt::format("{}:{}: {}", base::to_printable_text(source), line_number, problem));
   };
   char first_separator = '\0';
   std::size_t max_rows = kMaxRows;
@@ -131,7 +132,7 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
         throw_row_error(
             fmt::format("{} is not a number; use a decimal point", base::in_quotes(field)));
       if (!std::isfinite(*value))
-        throw_row_error(fmt::format("{} (numbers must be finite)", base::sanitise(field)));
+        throw_row_error(fmt::format("{} (numbers must be finite)", base::to_printable_text(field)));
       row.push_back(*value);
     }
     if (table.rows.empty()) first_separator = separator;
@@ -160,8 +161,8 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
     table.lines.push_back(line_number);
   }
   if (table.rows.empty()) {
-    throw InputError(
-        fmt::format("{}: no numbers (must be two or three columns)", base::sanitise(source)));
+    throw InputError(fmt::format("{}: no numbers (must be two or three columns)",
+                                 base::to_printable_text(source)));
   }
   if (table.names.empty() && comment.size() == table.column_count())
     table.names = to_lower_case(comment);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/options/enum_names.hpp"
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 namespace fpkcheck::methods {
 

@@ -35,7 +35,7 @@ std::complex<double> rightmost_eigenvalue(const Eigen::MatrixXd& matrix) {
   return *std::ranges::max_element(values, is_left_of);
 }
 
-SingularityIndicators singularity_indicators(const Eigen::MatrixXd& matrix) {
+MatrixSingularityIndicators singularity_indicators(const Eigen::MatrixXd& matrix) {
   const double determinant = LuFactors(matrix).determinant();
   return {.smallest_singular_value = singular_values(matrix).minCoeff(),
           .determinant_sign = determinant > 0   ? 1

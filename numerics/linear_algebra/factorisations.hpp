@@ -32,11 +32,11 @@ Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix);
 /// function returns the eigenvalue with the positive imaginary part.
 std::complex<double> rightmost_eigenvalue(const Eigen::MatrixXd& matrix);
 
-struct SingularityIndicators {
+struct MatrixSingularityIndicators {
   double smallest_singular_value;
   int determinant_sign;  ///< sign of the determinant: -1, 0 or 1
 };
-SingularityIndicators singularity_indicators(const Eigen::MatrixXd& matrix);
+MatrixSingularityIndicators singularity_indicators(const Eigen::MatrixXd& matrix);
 
 /// A symmetric positive definite matrix of dense blocks, which factorise() replaces by its Cholesky
 /// factor. The blocks may have different sizes. Blocks (row, column) with |row - column| >

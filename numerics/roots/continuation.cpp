@@ -193,7 +193,7 @@ Homotopy newton_homotopy(std::function<VectorXd(const VectorXd&)> residual,
           .parameter_derivative = [initial](const VectorXd&, double) { return initial; }};
 }
 
-const SolutionCurvePoint& SolutionCurve::point_with_largest_t() const {
+const SolutionCurvePoint& SolutionCurve::curve_point_with_largest_parameter() const {
   return *std::ranges::max_element(points, {}, &SolutionCurvePoint::t);
 }
 

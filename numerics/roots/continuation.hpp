@@ -70,7 +70,7 @@ struct SolutionCurve {
   ContinuationTermination end = ContinuationTermination::step_underflow;
   int iterations = 0;  ///< number of Newton steps
 
-  const SolutionCurvePoint& point_with_largest_t() const;
+  const SolutionCurvePoint& curve_point_with_largest_parameter() const;
 };
 
 /// Computes points of the solution curve of G = 0 from (start, 0) towards t = 1 by pseudo-arclength

@@ -14,7 +14,7 @@ SplineBasis::SplineBasis(std::vector<double> breaks, int degree)
   knots_.insert(knots_.end(), degree_, breaks_.back());
 }
 
-int SplineBasis::span_containing(double x) const {
+int SplineBasis::knot_span_containing(double x) const {
   const auto after = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, x);
   return static_cast<int>(after - breaks_.begin()) - 1;
 }

@@ -26,7 +26,7 @@ class SplineBasis {
   double spline_knot(int i) const { return knots_[i]; }
   /// Returns the index of the span that contains x. If x is outside the interval of the breaks, the
   /// result is the first or the last span.
-  int span_containing(double x) const;
+  int knot_span_containing(double x) const;
 
   /// Returns the values and derivatives at x of the degree + 1 basis functions that are nonzero on
   /// the span.

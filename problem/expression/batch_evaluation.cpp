@@ -152,8 +152,8 @@ FPKCHECK_INLINE void call_function(const NamedFunction& f, std::size_t count,
     a.derivative = chain_rule(one - a.value * a.value, a.derivative);
   } else {
     for (std::size_t k = 0; k < count; ++k) {
-      a.derivative[k] = apply(f, numerics::DualNumber{x[k], a.derivative[k]},
-                              numerics::DualNumber{b.value[k], b.derivative[k]})
+      a.derivative[k] = apply_named_function(f, numerics::DualNumber{x[k], a.derivative[k]},
+                                             numerics::DualNumber{b.value[k], b.derivative[k]})
                             .derivative;
     }
   }

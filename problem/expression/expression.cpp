@@ -68,7 +68,7 @@ bool Expression::contains_operation(std::size_t begin, std::size_t end, Operatio
                      [&](const Node& node) { return node.operation == operation; });
 }
 
-bool Expression::depends_on(Operation variable) const {
+bool Expression::depends_on_variable(Operation variable) const {
   return contains_operation(0, nodes_.size(), variable);
 }
 
@@ -280,24 +280,25 @@ bool Expression::has_jumps() const {
   });
 }
 
-bool Expression::node_jumps_in_v(std::size_t node) const {
+bool Expression::expression_node_jumps_in_v(std::size_t node) const {
   return nodes_[node].operation == Operation::call && nodes_[node].function->name == "sign" &&
          contains_operation(nodes_[node].first, node, Operation::v);
 }
 
 bool Expression::has_jumps_in_v() const {
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
-    if (node_jumps_in_v(k)) return true;
+    if (expression_node_jumps_in_v(k)) return true;
   }
   return false;
 }
 
 bool Expression::has_jumps_at_nonzero_v(double v_limit) const {
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
-    if (node_jumps_in_v(k) && contains_operation(nodes_[k].first, k, Operation::y)) return true;
+    if (expression_node_jumps_in_v(k) && contains_operation(nodes_[k].first, k, Operation::y))
+      return true;
   }
   const auto jumps = find_kinks(Operation::v, -v_limit, v_limit,
-                                [&](std::size_t node) { return node_jumps_in_v(node); });
+                                [&](std::size_t node) { return expression_node_jumps_in_v(node); });
   return std::ranges::any_of(jumps, [](double v) { return v != 0; });
 }
 

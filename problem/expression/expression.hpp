@@ -52,7 +52,7 @@ class Expression {
 
   /// Returns the value of the expression. The type `Number` is double, DualNumber, or another
   /// aggregate whose first member is the value. The namespace of `Number` defines arithmetic,
-  /// apply() and real_power().
+  /// apply_named_function() and real_power().
   template <class Number>
   Number operator()(const Number& y, const Number& v) const {
     return evaluate<Number>(0, nodes_.size(), y, v);
@@ -77,8 +77,8 @@ class Expression {
     return (*this)(numerics::DualNumber{y, 0}, numerics::DualNumber{v, 1}).derivative;
   }
 
-  bool depends_on_y() const { return depends_on(Operation::y); }
-  bool depends_on_v() const { return depends_on(Operation::v); }
+  bool depends_on_y() const { return depends_on_variable(Operation::y); }
+  bool depends_on_v() const { return depends_on_variable(Operation::v); }
 
   /// Returns the coefficients of a polynomial in y and v; nullopt if the expression is no
   /// polynomial.
@@ -133,9 +133,9 @@ class Expression {
                   const OnCall& on_call = {}) const;
   template <class Number>
   Number evaluate_simd_batch(const Number& y, const Number& v, std::size_t count) const;
-  bool depends_on(Operation variable) const;
+  bool depends_on_variable(Operation variable) const;
   bool contains_operation(std::size_t begin, std::size_t end, Operation operation) const;
-  bool node_jumps_in_v(std::size_t node) const;
+  bool expression_node_jumps_in_v(std::size_t node) const;
   // Returns the values of the variable at which a function of a node in `wanted` has a kink.
   std::vector<double> find_kinks(Operation variable, double low, double high,
                                  const std::function<bool(std::size_t)>& wanted) const;
@@ -145,9 +145,12 @@ class Expression {
 };
 
 /// Returns the value of a function of one or two numbers.
-inline double apply(const NamedFunction& f, double a, double b) { return f.value(a, b); }
-inline numerics::DualNumber apply(const NamedFunction& f, const numerics::DualNumber& a,
-                                  const numerics::DualNumber& b) {
+inline double apply_named_function(const NamedFunction& f, double a, double b) {
+  return f.value(a, b);
+}
+inline numerics::DualNumber apply_named_function(const NamedFunction& f,
+                                                 const numerics::DualNumber& a,
+                                                 const numerics::DualNumber& b) {
   const double in_first = a.derivative == 0 ? 0 : f.slope(a.value, b.value) * a.derivative;
   const double in_second = f.arguments == 1 || b.derivative == 0
                                ? 0
@@ -225,7 +228,7 @@ Number Expression::evaluate(std::size_t begin, std::size_t end, const Number& y,
         if (node.function->arguments == 2) --top;
         const Number& second = stack[node.function->arguments == 2 ? top : top - 1];
         on_call(k, stack[top - 1], second);
-        stack[top - 1] = apply(*node.function, stack[top - 1], second);
+        stack[top - 1] = apply_named_function(*node.function, stack[top - 1], second);
         break;
       }
     }

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "problem/expression/expression.hpp"
 
 namespace fpkcheck::problem {

@@ -35,7 +35,7 @@ void StateFunction::evaluate_batch_with_velocity_slopes(std::size_t count, const
 std::vector<double> StateFunction::kinks_in_x(double low, double high) const {
   const double first = frame_.physical_y(low), last = frame_.physical_y(high);
   std::vector<double> kinks = formula_->kinks_in_y(std::min(first, last), std::max(first, last));
-  for (double& kink : kinks) kink = frame_.wall_x(kink);
+  for (double& kink : kinks) kink = frame_.wall_coordinate(kink);
   std::ranges::sort(kinks);
   return kinks;
 }

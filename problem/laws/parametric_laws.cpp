@@ -103,7 +103,7 @@ using DoublePrecision = boost::math::policies::policy<boost::math::policies::pro
 
 // Returns the value of the gamma variable G that gives Y = y.
 double gamma_variate_of_amplitude(const GammaLaw& law, double y) {
-  return law.gamma_shape() + (y - law.mean) / law.width() * std::sqrt(law.gamma_shape());
+  return law.gamma_shape() + (y - law.mean) / law.width_parameter() * std::sqrt(law.gamma_shape());
 }
 
 }  // namespace
@@ -119,7 +119,7 @@ GammaLaw GammaLaw::from_moments(double mean, double deviation, const LawShapePar
   return {mean, deviation, skewness};
 }
 
-double GammaLaw::width() const { return std::copysign(deviation, skewness); }
+double GammaLaw::width_parameter() const { return std::copysign(deviation, skewness); }
 
 double GammaLaw::standardised_amplitude_moment(int n) const {
   double before = 0, moment = 1;
@@ -159,7 +159,7 @@ std::vector<double> GammaLaw::amplitude_density_breakpoints() const {
     g *= kGrowth;
   } while (g < deviations);
   pieces.push_back(boost::math::gamma_q_inv(k, kBeyond));
-  for (double& x : pieces) x = mean + width() * (x - k) / deviations;
+  for (double& x : pieces) x = mean + width_parameter() * (x - k) / deviations;
   if (skewness < 0) std::ranges::reverse(pieces);
   return pieces;
 }

@@ -16,7 +16,7 @@ struct GaussianLaw {
   static constexpr std::string_view kName = "gaussian";
   static constexpr std::string_view kWidthName = "deviation";
   static GaussianLaw from_moments(double mean, double deviation) { return {mean, deviation}; }
-  double width() const { return deviation; }
+  double width_parameter() const { return deviation; }
   double standard_deviation() const { return deviation; }
 
   /// Returns E[((Y - mean) / deviation)^n]: (n-1)!! for even n and 0 for odd n.
@@ -39,7 +39,7 @@ struct LaplaceLaw {
   static LaplaceLaw from_moments(double mean, double deviation) {
     return {mean, deviation / std::numbers::sqrt2};
   }
-  double width() const { return scale; }
+  double width_parameter() const { return scale; }
   double standard_deviation() const { return std::numbers::sqrt2 * scale; }
 
   /// Returns E[((Y - mean) / standard_deviation())^n], which is n! / 2^(n/2) for even n and 0 for
@@ -61,7 +61,7 @@ struct TwoPointLaw {
   static constexpr std::string_view kName = "two_point";
   static constexpr std::string_view kWidthName = "deviation";
   static TwoPointLaw from_moments(double mean, double deviation) { return {mean, deviation}; }
-  double width() const { return deviation; }
+  double width_parameter() const { return deviation; }
   double standard_deviation() const { return deviation; }
 
   double standardised_amplitude_moment(int n) const { return n % 2 == 0 ? 1 : 0; }
@@ -86,7 +86,7 @@ struct UniformLaw {
   static UniformLaw from_moments(double mean, double deviation) {
     return {mean, deviation * std::numbers::sqrt3};
   }
-  double width() const { return half_width; }
+  double width_parameter() const { return half_width; }
   double standard_deviation() const { return half_width / std::numbers::sqrt3; }
 
   /// Returns E[((Y - mean) / standard_deviation())^n], which is 3^(n/2) / (n+1) for even n and 0
@@ -116,7 +116,7 @@ struct ExponentialLaw {
   /// @throws InputError if the skewness is neither 2 nor -2
   static ExponentialLaw from_moments(double mean, double deviation,
                                      const LawShapeParameters& shape);
-  double width() const { return scale; }
+  double width_parameter() const { return scale; }
   double standard_deviation() const;
 
   /// Returns E[((Y - mean) / standard_deviation())^n], the number of derangements of n objects
@@ -143,7 +143,7 @@ struct GammaLaw {
   /// @throws InputError if |skewness| is outside 0.01 .. 2 (above 2 the density is unbounded)
   static GammaLaw from_moments(double mean, double deviation, const LawShapeParameters& shape);
   /// Returns the signed width, the standard deviation times the sign of the skewness.
-  double width() const;
+  double width_parameter() const;
   double standard_deviation() const { return deviation; }
   /// Returns the shape parameter k of the gamma density.
   double gamma_shape() const { return 4 / (skewness * skewness); }

@@ -24,7 +24,7 @@ struct TabulatedLaw {
   /// standard deviation.
   /// @throws InputError if the table is missing or invalid
   static TabulatedLaw from_moments(double mean, double deviation, const LawShapeParameters& shape);
-  double width() const { return scale; }
+  double width_parameter() const { return scale; }
   double standard_deviation() const;
 
   double standardised_amplitude_moment(int n) const;

@@ -22,8 +22,8 @@
 
 #include "base/input_error.hpp"
 #include "base/options/enum_names.hpp"
-#include "base/text/sanitise.hpp"
-#include "compare/comparison_axes.hpp"
+#include "base/text/printable_text.hpp"
+#include "compare/comparison_bins.hpp"
 #include "extension/options.hpp"
 #include "extension/runs.hpp"
 #include "methods/builtin_solvers.hpp"
@@ -145,7 +145,7 @@ void bind_problems(py::module_& module) {
       py::arg("name_or_path"), py::arg("settings"));
   module.def("problem_of", problem_of, py::arg("name"), py::arg("settings"));
   module.def("axes_of", [](const problem::Problem& problem) {
-    const auto axes = compare::comparison_axes(problem);
+    const auto axes = compare::comparison_bins(problem);
     return std::make_tuple(to_array(axes.y_edges), to_array(axes.v_edges));
   });
 }
@@ -171,7 +171,7 @@ methods::ExternalDensity external_density(const std::string& label,
 }
 
 methods::DensityQuadratureGrid points_between_walls(const problem::Problem& problem) {
-  return {compare::comparison_axes(problem), problem.system.walls()};
+  return {compare::comparison_bins(problem), problem.system.walls()};
 }
 
 methods::Method function_method(const problem::Problem& problem, const Array& values,
@@ -256,7 +256,7 @@ RunPointer solve_task(const std::vector<problem::Problem>& problems,
   task.methods =
       methods_selected_by_list(registry(), methods_list.value_or(default_methods()), settings);
   auto external_methods = against;
-  methods::group_into_families(external_methods);
+  methods::group_methods_into_families(external_methods);
   for (const auto& external : external_methods) {
     for (const auto& other : external_methods)
       methods::require_distinct_labels(external.id(), other.id());

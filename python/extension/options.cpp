@@ -8,7 +8,7 @@
 #include <variant>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 
 namespace fpkcheck::python {
 namespace {
@@ -44,7 +44,7 @@ void require_known(const methods::SolverRegistry& registry, const std::string& o
 }
 
 Value convert_value(const base::Parameter& parameter, const NamedParameterValue& option) {
-  const std::string label = fmt::format("options: {} =", base::sanitise(option.name));
+  const std::string label = fmt::format("options: {} =", base::to_printable_text(option.name));
   if (const auto* text = std::get_if<std::string>(&option.value)) {
     return parse_value(parameter, *text, label);
   }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "base/options/parameter.hpp"
+#include "base/options/parameter_value.hpp"
 #include "methods/registry.hpp"
 
 namespace fpkcheck::python {

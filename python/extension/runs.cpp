@@ -21,7 +21,7 @@
 #include "base/process/stop_request.hpp"
 #include "methods/builtin_solvers.hpp"
 #include "methods/case_results.hpp"
-#include "report/report.hpp"
+#include "report/write_report.hpp"
 #include "results/output_directory.hpp"
 #include "results/saved_run.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "methods/method.hpp"
+#include "methods/method_interface.hpp"
 #include "methods/run_cases.hpp"
 #include "problem/problem.hpp"
 #include "results/run.hpp"
@@ -26,8 +26,8 @@ struct RunRequest {
 /// the run, the calling thread calls the function `poll`.
 ///
 /// If the run is cancelled, the worker thread is abandoned, since long operations cannot be
-/// interrupted (cli/shutdown.hpp) and the extension must not end the process of Python. An
-/// abandoned worker thread ends after its current operation.
+/// interrupted (cli/shutdown_after_signal.hpp) and the extension must not end the process of
+/// Python. An abandoned worker thread ends after its current operation.
 /// @param poll function that is called about twenty times a second with the progress of the run, or
 /// with null if the progress has not changed. An exception of `poll` cancels the run within a third
 /// of

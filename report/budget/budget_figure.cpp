@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "compare/error_budget.hpp"
+#include "report/figure/figure_layout.hpp"
 #include "report/figure/gnuplot.hpp"
-#include "report/figure/layout.hpp"
 #include "report/figure/script_text.hpp"
 
 namespace fpkcheck::report {
@@ -28,26 +28,26 @@ constexpr double kGroupWidth = 0.8;
 constexpr double kSmallestFraction = 1e-4;
 
 /// The kind of distance of a panel: the L1 distance, or the mean logarithmic ratio in the tail.
-struct BudgetDistanceKind {
+struct ErrorBudgetDistanceKind {
   const char* title;  ///< second part of the title of the panel
   const char* label;
   double ErrorBudgetRow::*total;
   double ErrorBudgetPart::*part;
 };
-constexpr BudgetDistanceKind kL1{"", "{/:Italic L}_1 distance", &ErrorBudgetRow::total,
-                                 &ErrorBudgetPart::l1};
-constexpr BudgetDistanceKind kTail{", tail: 10^{−5} ≤ {/:Italic p} < 10^{−3}",
-                                   "mean |log_{10} ratio|", &ErrorBudgetRow::total_tail,
-                                   &ErrorBudgetPart::tail};
+constexpr ErrorBudgetDistanceKind kL1{"", "{/:Italic L}_1 distance", &ErrorBudgetRow::total,
+                                      &ErrorBudgetPart::l1};
+constexpr ErrorBudgetDistanceKind kTail{", tail: 10^{−5} ≤ {/:Italic p} < 10^{−3}",
+                                        "mean |log_{10} ratio|", &ErrorBudgetRow::total_tail,
+                                        &ErrorBudgetPart::tail};
 
 // The colours of Okabe and Ito are distinct for colour-blind readers; hatching distinguishes
 // colours that are equal in grey print.
-struct BudgetBarStyle {
+struct ErrorBudgetBarStyle {
   compare::ModelApproximation approximation;
   const char* colour;
   const char* hatch;
 };
-constexpr BudgetBarStyle kBarStyles[] = {
+constexpr ErrorBudgetBarStyle kBarStyles[] = {
     {compare::ModelApproximation::closure, "#D55E00", ""},
     {compare::ModelApproximation::impact, "#E69F00", "/"},
     {compare::ModelApproximation::truncation, "#0072B2", ""},
@@ -64,7 +64,7 @@ FigureSeries budget_part_series(const std::string& part) {
   const auto approximations = compare::parse_approximations(part);
   if (approximations.size() > 1) return series;
   const auto* const style =
-      std::ranges::find(kBarStyles, approximations.front(), &BudgetBarStyle::approximation);
+      std::ranges::find(kBarStyles, approximations.front(), &ErrorBudgetBarStyle::approximation);
   series.colour = style->colour;
   series.hatch = style->hatch;
   return series;
@@ -97,7 +97,7 @@ FigureAxis closure_axis(const std::vector<ClosureErrorBudget>& budgets) {
 // Adds the bars of one closure, side by side with equal widths, and the line at the total distance
 // of the closure. Values that are not positive are omitted, since the axis is logarithmic.
 void add_closure_bars(std::vector<FigureSeries>& all, const ErrorBudgetRow& row, double centre,
-                      bool is_open, const BudgetDistanceKind& distance) {
+                      bool is_open, const ErrorBudgetDistanceKind& distance) {
   const double width = kGroupWidth / static_cast<double>(row.parts.size());
   double left = centre - kGroupWidth / 2;
   for (const auto& part : row.parts) {
@@ -112,7 +112,8 @@ void add_closure_bars(std::vector<FigureSeries>& all, const ErrorBudgetRow& row,
         bar.lower = value - *part.uncertainty;
         bar.upper = value + *part.uncertainty;
       }
-      std::ranges::find(all, part.part_name(), &FigureSeries::name)->points.push_back(bar);
+      std::ranges::find(all, part.error_budget_part_name(), &FigureSeries::name)
+          ->points.push_back(bar);
     }
     left += width;
   }
@@ -127,7 +128,7 @@ void add_closure_bars(std::vector<FigureSeries>& all, const ErrorBudgetRow& row,
 }
 
 FigurePanel budget_panel(const std::vector<ClosureErrorBudget>& budgets, StateVariable variable,
-                         const BudgetDistanceKind& distance) {
+                         const ErrorBudgetDistanceKind& distance) {
   FigurePanel panel{
       .title = std::string(base::meaning_of(variable)) +
                (distance.part == kL1.part ? ' ' + density_in_enhanced_text(variable) : "") +
@@ -161,7 +162,7 @@ FigurePanel budget_panel(const std::vector<ClosureErrorBudget>& budgets, StateVa
 
 }  // namespace
 
-Figure budget_figure(const results::CaseResult& case_result, FigureWidth width) {
+Figure error_budget_figure(const results::CaseResult& case_result, FigureWidth width) {
   Figure figure{
       .title = problem_title_parts(case_result.problem), .screen_width = 1500, .panel_height = 280};
   const auto budgets = compare::group_budget_by_closure(case_result.budget, case_result.solutions);

@@ -43,10 +43,10 @@ bool is_common_to_closures(const std::vector<ClosureErrorBudget>& budgets,
 
 /// Builds the table columns of one marginal density. A column has a cell for each closure, then a
 /// cell for each part of the error budget whose value all closures share.
-class BudgetTableColumns {
+class ErrorBudgetTableColumns {
  public:
-  BudgetTableColumns(const std::vector<ClosureErrorBudget>& budgets,
-                     const std::vector<std::string>& below, StateVariable variable)
+  ErrorBudgetTableColumns(const std::vector<ClosureErrorBudget>& budgets,
+                          const std::vector<std::string>& below, StateVariable variable)
       : budgets_(budgets), below_(below), variable_(variable) {}
 
   std::string symbol() const { return variable_ == StateVariable::y ? "p(y)" : "p(y')"; }
@@ -62,7 +62,7 @@ class BudgetTableColumns {
   }
 
   TextTableColumn part(const std::string& name, int importance) const {
-    TextTableColumn column{"L1 of " + symbol(), budget_part_header(name), false, importance};
+    TextTableColumn column{"L1 of " + symbol(), error_budget_part_header(name), false, importance};
     for (const auto& budget : budgets_) {
       const ErrorBudgetPart* part = find_part(budget.budget_row_of(variable_), name);
       column.cells.push_back(part ? l1_or_missing_cell(part->l1) : kMissingCell);
@@ -106,7 +106,7 @@ TextTableColumn closure_and_part_names(const std::vector<ClosureErrorBudget>& bu
 
 }  // namespace
 
-std::string budget_part_header(const std::string& part) {
+std::string error_budget_part_header(const std::string& part) {
   if (part == name(ModelApproximation::truncation)) return "trunc.";
   if (part == name(ModelApproximation::white_noise)) return "white";
   return part;
@@ -122,7 +122,7 @@ std::vector<TextTableColumn> displayed_budget_columns(const results::CaseResult&
   }
   std::vector<TextTableColumn> all{closure_and_part_names(budgets, below)}, tails;
   for (const auto variable : transform::kVariables) {
-    const BudgetTableColumns columns(budgets, below, variable);
+    const ErrorBudgetTableColumns columns(budgets, below, variable);
     all.push_back(columns.total());
     int importance = kLastPartImportance + static_cast<int>(beside.size());
     for (const auto& name : beside) all.push_back(columns.part(name, importance--));
@@ -132,8 +132,8 @@ std::vector<TextTableColumn> displayed_budget_columns(const results::CaseResult&
   return select_columns_to_fit(std::move(all), format);
 }
 
-std::string budget_table_text(const results::CaseResult& case_result,
-                              const TerminalTextFormat& format) {
+std::string error_budget_table_text(const results::CaseResult& case_result,
+                                    const TerminalTextFormat& format) {
   const auto columns = displayed_budget_columns(case_result, format);
   if (columns.empty()) return "";
   const std::string text = format_text_table(columns, format);

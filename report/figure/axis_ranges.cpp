@@ -45,7 +45,7 @@ void include_ends_of_bins(const results::DensityCurve& curve, double peak,
 
 }  // namespace
 
-std::vector<bool> DrawnCurve::full_width_bin_flags() const {
+std::vector<bool> DrawnDensityCurve::undivided_bin_flags() const {
   const auto widths = results::bin_widths(*curve);
   const double widest = widths.empty() ? 0 : std::ranges::max(widths);
   std::vector<bool> has_full_width;
@@ -66,19 +66,19 @@ double logarithmic_axis_bottom(const MarginalAxisRanges& ranges, double floor) {
   return least > floor ? std::pow(10, std::floor(std::log10(least))) : floor;
 }
 
-std::string spike_note(const MarginalAxisRanges& ranges) {
+std::string density_spike_note(const MarginalAxisRanges& ranges) {
   if (ranges.largest_density <= 1.08 * ranges.linear_top) return "";
   return fmt::format("spike up to {:.3g}", ranges.largest_density);
 }
 
-MarginalAxisRanges density_axis_ranges(std::span<const DrawnCurve> curves) {
+MarginalAxisRanges density_axis_ranges(std::span<const DrawnDensityCurve> curves) {
   DensityAxisExtent linear, logarithmic;
   double linear_top = 0, largest_density = 0, largest_difference = 0;
   double least_difference = std::numeric_limits<double>::infinity(),
          least_density = least_difference;
   for (const auto& drawn : curves) {
     const results::DensityCurve* curve = drawn.curve;
-    const std::vector<bool> has_full_width = drawn.full_width_bin_flags();
+    const std::vector<bool> has_full_width = drawn.undivided_bin_flags();
     double peak = 0;
     for (std::size_t k = 0; k < curve->density.size(); ++k) {
       const double p = curve->density[k];

@@ -7,8 +7,8 @@
 #include "problem/problem.hpp"
 #include "report/figure/density_content.hpp"
 #include "report/figure/figure.hpp"
-#include "report/figure/options.hpp"
-#include "report/supplement.hpp"
+#include "report/figure/figure_options.hpp"
+#include "report/report_supplement.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::report {
@@ -50,8 +50,8 @@ Figure error_source_page_figure(const results::CaseResult& case_result);
 /// bar for each part of the error budget and a black line at the total distance. The report page
 /// and a figure for a single journal column omit the panels of tail distances. The figure has no
 /// panels if the case has no error budget.
-Figure budget_figure(const results::CaseResult& case_result,
-                     FigureWidth width = FigureWidth::screen);
+Figure error_budget_figure(const results::CaseResult& case_result,
+                           FigureWidth width = FigureWidth::screen);
 
 /// Removes the pictures and gnuplot scripts that draw_pictures_of_cases() wrote for the cases of a
 /// run.

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "report/case_solutions.hpp"
+#include "report/figure/figure_layout.hpp"
 #include "report/figure/gnuplot.hpp"
-#include "report/figure/layout.hpp"
 #include "report/figure/script_text.hpp"
 
 namespace fpkcheck::report {

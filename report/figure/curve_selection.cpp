@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "report/case_solutions.hpp"
 
 namespace fpkcheck::report {
@@ -39,7 +39,7 @@ std::vector<const transform::Solution*> solutions_by_priority(
   };
   for (const auto* solution : solutions_of_full_problem(case_result)) add(*solution);
   std::vector<const transform::Solution*> closures;
-  for (const auto* closure : case_result.assessment.ranked_closures())
+  for (const auto* closure : case_result.assessment.closures_ranked_by_distance())
     closures.push_back(case_result.find(closure->id));
   std::set<std::string> formulations;
   for (const auto* closure : closures) {
@@ -80,7 +80,7 @@ std::set<std::string> select_solutions_to_draw(const results::CaseResult& case_r
 
 std::set<std::string> initially_visible_solutions(const results::CaseResult& case_result) {
   std::set<std::string> ids, families;
-  for (const auto* closure : case_result.assessment.ranked_closures()) {
+  for (const auto* closure : case_result.assessment.closures_ranked_by_distance()) {
     const auto& family = case_result.find(closure->id)->identity.family;
     if (families.insert(family).second) ids.insert(closure->id);
   }

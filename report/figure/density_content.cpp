@@ -68,9 +68,9 @@ CurveDifferenceFromReference absolute_smooth_bin_differences(const DensityCurve*
 // contains the differences of all curves. A linear axis contains only the differences of solutions
 // with status ok or inaccurate, since a single outlier would compress all other curves. If no
 // solution has the status ok or inaccurate, the linear axis contains the differences of all curves.
-MarginalAxisRanges axis_ranges_of_differences(std::span<const DrawnCurve> curves,
+MarginalAxisRanges axis_ranges_of_differences(std::span<const DrawnDensityCurve> curves,
                                               bool logarithmic) {
-  std::vector<DrawnCurve> compared_curves;
+  std::vector<DrawnDensityCurve> compared_curves;
   std::ranges::copy_if(curves, std::back_inserter(compared_curves), [&](const auto& drawn) {
     return logarithmic || drawn.solution->has_status_ok() ||
            drawn.solution->status == transform::Status::inaccurate;
@@ -79,11 +79,11 @@ MarginalAxisRanges axis_ranges_of_differences(std::span<const DrawnCurve> curves
                                  : density_axis_ranges(compared_curves);
 }
 
-MarginalCurves marginal_curves(const CaseResult& case_result, StateVariable variable,
-                               const std::string& reference,
-                               const std::optional<std::set<std::string>>& shown_ids,
-                               const std::optional<std::set<std::string>>& visible_ids) {
-  MarginalCurves marginal{variable, {}, {}};
+MarginalDensityCurves marginal_curves(const CaseResult& case_result, StateVariable variable,
+                                      const std::string& reference,
+                                      const std::optional<std::set<std::string>>& shown_ids,
+                                      const std::optional<std::set<std::string>>& visible_ids) {
+  MarginalDensityCurves marginal{variable, {}, {}};
   const DensityCurve *reference_curve = case_result.marginal_curve(reference, variable),
                      *smooth = reference_curve_over_smooth_bins(case_result, reference, variable);
   for (const auto& solution : case_result.solutions) {
@@ -101,11 +101,11 @@ MarginalCurves marginal_curves(const CaseResult& case_result, StateVariable vari
   std::ranges::stable_sort(marginal.curves, {},
                            [](const auto& drawn) { return drawn.plot_style().layer; });
 
-  std::vector<DrawnCurve> ok_curves;
+  std::vector<DrawnDensityCurve> ok_curves;
   std::ranges::copy_if(marginal.curves, std::back_inserter(ok_curves),
                        [](const auto& drawn) { return drawn.solution->has_status_ok(); });
   marginal.ranges = density_axis_ranges(ok_curves.empty() ? marginal.curves : ok_curves);
-  std::vector<DrawnCurve> visible_curves;
+  std::vector<DrawnDensityCurve> visible_curves;
   std::ranges::copy_if(marginal.curves, std::back_inserter(visible_curves),
                        [](const auto& drawn) { return !drawn.is_hidden; });
   const MarginalAxisRanges of_differences = axis_ranges_of_differences(

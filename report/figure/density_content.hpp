@@ -40,7 +40,7 @@ struct CurveDifferenceFromReference {
 };
 
 /// A curve of a figure, drawn in the plot style of its solution.
-struct DrawnCurve {
+struct DrawnDensityCurve {
   const transform::Solution* solution;
   const results::DensityCurve* curve;
   CurveDifferenceFromReference difference;  ///< difference from the reference; may be empty
@@ -48,9 +48,9 @@ struct DrawnCurve {
   bool is_hidden = false;                   ///< whether the page initially hides the curve
 
   /// Returns, for each bin, whether the bin has the regular width. Narrower bins resolve a spike of
-  /// the density (compare::comparison_axes), whose large values would compress all other values on
+  /// the density (compare::comparison_bins), whose large values would compress all other values on
   /// an axis.
-  std::vector<bool> full_width_bin_flags() const;
+  std::vector<bool> undivided_bin_flags() const;
 
   const transform::PlotStyle& plot_style() const { return solution->identity.plot_style; }
 };
@@ -71,16 +71,16 @@ inline double logarithmic_axis_top(const MarginalAxisRanges& ranges) {
 
 /// Returns a note on the height of a spike of the density above the linear axis; empty without such
 /// a spike.
-std::string spike_note(const MarginalAxisRanges& ranges);
+std::string density_spike_note(const MarginalAxisRanges& ranges);
 
 /// Returns the axis ranges that contain all given curves. Callers should pass only the curves of
 /// reliable solutions, since a single outlier would compress all other curves.
-MarginalAxisRanges density_axis_ranges(std::span<const DrawnCurve> curves);
+MarginalAxisRanges density_axis_ranges(std::span<const DrawnDensityCurve> curves);
 
 /// The curves of all solutions for one marginal density, in drawing order.
-struct MarginalCurves {
+struct MarginalDensityCurves {
   transform::StateVariable variable;
-  std::vector<DrawnCurve> curves;
+  std::vector<DrawnDensityCurve> curves;
   /// Axis ranges that contain the curves of all `ok` solutions (without an `ok` solution all
   /// curves), and the differences of all visible curves from the reference.
   MarginalAxisRanges ranges;
@@ -97,7 +97,7 @@ struct DensityFigureContent {
   /// Lower end of the logarithmic density axes, unless all densities are larger.
   double smallest_density = kSmallestDrawnDensity;
   /// Marginal densities of y and y' that have at least one curve.
-  std::vector<MarginalCurves> marginals;
+  std::vector<MarginalDensityCurves> marginals;
   std::size_t hidden_count = 0;  ///< number of solutions whose curves the figure omits
 };
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "report/figure/figure_layout.hpp"
 #include "report/figure/gnuplot.hpp"
-#include "report/figure/layout.hpp"
 #include "report/figure/script_text.hpp"
 
 namespace fpkcheck::report {
@@ -44,16 +44,16 @@ std::string panel_title(DensityPanelKind kind, StateVariable variable, const std
   return "";
 }
 
-FigureAxis abscissa_axis(DensityPanelKind kind, const MarginalCurves& marginal) {
+FigureAxis abscissa_axis(DensityPanelKind kind, const MarginalDensityCurves& marginal) {
   const MarginalAxisRanges& r = marginal.ranges;
   const bool is_logarithmic = kind == DensityPanelKind::logarithmic;
   const double from = is_logarithmic ? r.logarithmic_from : r.linear_from,
                to = is_logarithmic ? r.logarithmic_to : r.linear_to;
   return {marginal.variable == StateVariable::y ? "{/:Italic y}" : "{/:Italic y}'", from, to, false,
-          choose_tic_step(from, to)};
+          choose_tick_step(from, to)};
 }
 
-FigureAxis ordinate_axis(DensityPanelKind kind, const MarginalCurves& marginal,
+FigureAxis ordinate_axis(DensityPanelKind kind, const MarginalDensityCurves& marginal,
                          double smallest_density) {
   const MarginalAxisRanges& r = marginal.ranges;
   const std::string density = density_in_enhanced_text(marginal.variable);
@@ -76,7 +76,7 @@ FigureAxis ordinate_axis(DensityPanelKind kind, const MarginalCurves& marginal,
 }
 
 // Returns the legend note with the probabilities of atoms at rest, which a curve cannot show.
-std::string atom_and_interval_note(const DrawnCurve& drawn) {
+std::string atom_and_interval_note(const DrawnDensityCurve& drawn) {
   std::string label;
   for (const auto& atom : drawn.solution->atoms) {
     label += fmt::format(", probability {:.3g} of rest at y = {:g}", atom.probability, atom.y);
@@ -94,7 +94,7 @@ bool curve_has_marks(const transform::SolutionIdentity& identity) {
 
 // Returns the series of a curve. The series has no points if the panel shows differences and the
 // curve has no differences.
-FigureSeries curve_series(const DrawnCurve& drawn, DensityPanelKind kind,
+FigureSeries curve_series(const DrawnDensityCurve& drawn, DensityPanelKind kind,
                           const std::string& reference) {
   const bool of_differences = shows_differences(kind);
   const CurveDifferenceFromReference& difference = drawn.difference;
@@ -105,7 +105,7 @@ FigureSeries curve_series(const DrawnCurve& drawn, DensityPanelKind kind,
   const auto& plot_style = drawn.plot_style();
   const std::string& id = drawn.solution->id();
   const bool has_status_ok = drawn.solution->has_status_ok();
-  FigureSeries series = make_empty_series(
+  FigureSeries series = make_empty_figure_series(
       has_status_ok ? id : fmt::format("{} ({})", id, name(drawn.solution->status)), plot_style);
   series.line_width = plot_style.width;
   series.note = atom_and_interval_note(drawn);
@@ -139,13 +139,13 @@ FigureSeries curve_series(const DrawnCurve& drawn, DensityPanelKind kind,
   return series;
 }
 
-FigurePanel density_panel(DensityPanelKind kind, const MarginalCurves& marginal,
+FigurePanel density_panel(DensityPanelKind kind, const MarginalDensityCurves& marginal,
                           const DensityFigureContent& content, bool short_title) {
   FigurePanel result{.title = escape_enhanced_text(
                          panel_title(kind, marginal.variable, content.reference, short_title)),
                      .x = abscissa_axis(kind, marginal),
                      .y = ordinate_axis(kind, marginal, content.smallest_density)};
-  if (kind == DensityPanelKind::linear) result.note = spike_note(marginal.ranges);
+  if (kind == DensityPanelKind::linear) result.note = density_spike_note(marginal.ranges);
   std::vector<FigureSeries*> marked;
   for (const auto& drawn : marginal.curves) {
     result.series.push_back(curve_series(drawn, kind, content.reference));

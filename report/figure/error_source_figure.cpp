@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "compare/assessment.hpp"
+#include "compare/solution_assessment.hpp"
+#include "report/figure/figure_layout.hpp"
 #include "report/figure/gnuplot.hpp"
 #include "report/figure/heat_map_values.hpp"
-#include "report/figure/layout.hpp"
 #include "report/figure/script_text.hpp"
 #include "report/text/number_text.hpp"
 
@@ -51,7 +51,7 @@ bool has_error_sources(const CaseResult& case_result, const std::string& id) {
 std::vector<std::string> solutions_to_show(const CaseResult& case_result, std::size_t most) {
   std::vector<std::string> ids;
   std::set<std::string> formulations;
-  for (const auto* ranked : case_result.assessment.ranked_closures()) {
+  for (const auto* ranked : case_result.assessment.closures_ranked_by_distance()) {
     const auto& closure = *case_result.find(ranked->id);
     if (ids.size() + 1 < most && formulations.insert(closure.identity.formulation).second &&
         has_error_sources(case_result, closure.id())) {
@@ -104,7 +104,7 @@ double scaled_signed_root(double value, double limit) {
 // ten in the axis label.
 FigureAxis signed_root_colour_axis(const std::string& quantity, double limit) {
   constexpr int kMaxSteps = 5;  // largest number of tic steps on each side of 0
-  const double step = choose_tic_step(0, limit, kMaxSteps);
+  const double step = choose_tick_step(0, limit, kMaxSteps);
   const auto power = static_cast<int>(std::floor(std::log10(step)));
   FigureAxis axis{quantity, -1, 1};
   if (power != 0) axis.label += replace_hyphens_by_minus_signs(fmt::format(", 10^{{{}}}", power));
@@ -128,7 +128,7 @@ FigurePanel error_source_panel(const CaseResult& case_result, const std::string&
   const auto& y = source.density.y_edges;
   const auto& v = source.density.v_edges;
   const FigureAxis x_axis{"{/:Italic y}", y[window.y_begin], y[window.y_end], false,
-                          choose_tic_step(y[window.y_begin], y[window.y_end], kMaxTics)},
+                          choose_tick_step(y[window.y_begin], y[window.y_end], kMaxTics)},
       y_axis{"{/:Italic y}'", v[window.v_begin], v[window.v_end]};
   FigureHeatMap map{.x_range = {x_axis.from, x_axis.to},
                     .y_range = {y_axis.from, y_axis.to},
@@ -200,7 +200,7 @@ Figure error_source_page_figure(const CaseResult& case_result) {
     const bool is_new = std::ranges::find(ids, id) == ids.end();
     if (is_new && has_error_sources(case_result, id)) ids.push_back(id);
   };
-  for (const auto* closure : case_result.assessment.ranked_closures()) add(closure->id);
+  for (const auto* closure : case_result.assessment.closures_ranked_by_distance()) add(closure->id);
   for (const auto& estimate : case_result.moment_error_estimates) add(estimate.solution);
   return make_error_source_figure(case_result, ids, FigureWidth::screen);
 }

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <map>
 
+#include "report/figure/figure_layout.hpp"
 #include "report/figure/gnuplot.hpp"
-#include "report/figure/layout.hpp"
 #include "report/figure/script_text.hpp"
 
 namespace fpkcheck::report {
@@ -252,8 +252,8 @@ std::string axis_commands(const FigureAxis& axis, const std::string& name) {
 
 // The colour scale of a map, with a colour bar to the right of the panel.
 /// @param has_colour_bar whether the panel has a colour bar
-std::string colour_scale_commands(const FigureHeatMap& map, const PanelBox& place, int layout_width,
-                                  bool has_colour_bar) {
+std::string colour_scale_commands(const FigureHeatMap& map, const FigurePanelBox& place,
+                                  int layout_width, bool has_colour_bar) {
   std::vector<std::string> colours;
   for (const auto& [position, colour] : map.colours) {
     colours.push_back(fmt::format("{:g} {}", position, quote_for_gnuplot(colour)));
@@ -357,7 +357,8 @@ PanelGrid choose_panel_grid(const Figure& figure, const FigureLegend& legend, Fi
 
 }  // namespace
 
-FigureSeries make_empty_series(const std::string& name, const transform::PlotStyle& plot_style) {
+FigureSeries make_empty_figure_series(const std::string& name,
+                                      const transform::PlotStyle& plot_style) {
   return {.name = name,
           .colour = plot_style.colour,
           .dash = plot_style.dash,
@@ -414,7 +415,7 @@ std::string make_gnuplot_script(const Figure& figure, const std::string& file_st
   std::string commands;
   for (std::size_t k = 0; k < figure.panels.size(); ++k) {
     const FigurePanel& panel = figure.panels[k];
-    PanelBox place = grid.panel_box(k);
+    FigurePanelBox place = grid.panel_box(k);
     const bool is_last = k + 1 == figure.panels.size();
     if (is_last && !common_colours) place.right = grid.panel_box(0, grid.columns - 1).right;
     std::vector<std::string> plots;

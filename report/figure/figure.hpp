@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "report/figure/options.hpp"
+#include "report/figure/figure_options.hpp"
 #include "transform/solution_identity.hpp"
 
 /// Data structures that describe a figure independently of its output. The function
@@ -52,22 +52,23 @@ struct FigureSeries {
 };
 
 /// Returns a series without points, with the colour, dash type and symbol of a plot style.
-FigureSeries make_empty_series(const std::string& name, const transform::PlotStyle& plot_style);
+FigureSeries make_empty_figure_series(const std::string& name,
+                                      const transform::PlotStyle& plot_style);
 
-struct FigureTic {
+struct AxisTickMark {
   std::string label;  ///< label in gnuplot's enhanced text
   double place;
 
-  bool operator==(const FigureTic&) const = default;
+  bool operator==(const AxisTickMark&) const = default;
 };
 
 struct FigureAxis {
   std::string label;  ///< label in gnuplot's enhanced text
   double from, to;
   bool is_logarithmic = false;
-  double tic_step = 0;               ///< distance of the tics; 0 for an automatic distance
-  std::vector<FigureTic> tics = {};  ///< tics with labels; empty for automatic tics
-  bool rotated_tics = false;         ///< whether long labels of tics are slanted in a picture
+  double tic_step = 0;                  ///< distance of the tics; 0 for an automatic distance
+  std::vector<AxisTickMark> tics = {};  ///< tics with labels; empty for automatic tics
+  bool rotated_tics = false;            ///< whether long labels of tics are slanted in a picture
 
   bool operator==(const FigureAxis&) const = default;
 };

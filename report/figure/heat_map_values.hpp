@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "transform/density.hpp"
+#include "transform/joint_density.hpp"
 
 /// Cells and quantised values of heat maps.
 namespace fpkcheck::report {

@@ -8,7 +8,7 @@
 
 #include "base/process/stop_request.hpp"
 #include "report/figure/curve_selection.hpp"
-#include "report/figure/drawing.hpp"
+#include "report/figure/run_gnuplot.hpp"
 #include "results/output_directory.hpp"
 
 namespace fpkcheck::report {
@@ -38,7 +38,7 @@ std::vector<PictureGnuplotScript> make_picture_scripts(const results::Run& run,
     const auto width = options.width;
     const std::pair<const char*, Figure> figures[] = {
         {kDensities, density_figure(case_result.problem, content, width)},
-        {kBudget, budget_figure(case_result, width)},
+        {kBudget, error_budget_figure(case_result, width)},
         {kErrorSources, error_source_figure(case_result, width)},
         {kConvergence, convergence_figure(case_result)}};
     for (const auto& [end, figure] : figures) {

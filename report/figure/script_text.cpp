@@ -46,7 +46,7 @@ std::string_view take_argument(std::string_view text, std::size_t& position) {
 
 }  // namespace
 
-std::string panel_position_commands(const PanelBox& place) {
+std::string panel_position_commands(const FigurePanelBox& place) {
   return fmt::format(
       "set lmargin at screen {:.4g}\nset rmargin at screen {:.4g}\n"
       "set tmargin at screen {:.4g}\nset bmargin at screen {:.4g}\n",
@@ -57,7 +57,7 @@ std::string gnuplot_data_block(const std::string& name, const std::string& rows)
   return fmt::format("${} << EOD\n{}EOD\n", name, rows);
 }
 
-double choose_tic_step(double from, double to, int max_steps) {
+double choose_tick_step(double from, double to, int max_steps) {
   const double least = (to - from) / max_steps;
   const double power = std::pow(10, std::floor(std::log10(least)));
   for (const double digit : {1.0, 2.0, 5.0}) {

@@ -2,18 +2,18 @@
 
 #include <string>
 
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 /// Parts of gnuplot scripts: enhanced texts, LaTeX texts, data blocks, tics, point types and dash
 /// types.
 namespace fpkcheck::report {
 
 /// The rectangle of the axes of a panel, as fractions of the width and height of the picture.
-struct PanelBox {
+struct FigurePanelBox {
   double left, right, top, bottom;
 };
 /// Returns gnuplot commands that set the position of a panel.
-std::string panel_position_commands(const PanelBox& place);
+std::string panel_position_commands(const FigurePanelBox& place);
 
 /// Returns a named data block of a gnuplot script.
 /// @param rows rows of the block, each ended by a newline
@@ -21,7 +21,7 @@ std::string gnuplot_data_block(const std::string& name, const std::string& rows)
 
 /// Returns the smallest tic distance that is 1, 2 or 5 times a power of ten and divides an axis
 /// range into at most `max_steps` steps.
-double choose_tic_step(double from, double to, int max_steps = 6);
+double choose_tick_step(double from, double to, int max_steps = 6);
 
 /// Returns the symbol of a marginal density in gnuplot's enhanced text: "p(y)" or "p(y')".
 std::string density_in_enhanced_text(transform::StateVariable variable);

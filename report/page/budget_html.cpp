@@ -1,4 +1,4 @@
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 
 #include "report/figure/script_text.hpp"
 
@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "compare/error_budget.hpp"
-#include "report/page/html.hpp"
+#include "report/page/html_elements.hpp"
 #include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {
@@ -82,18 +82,18 @@ HtmlTableColumn sampling_error_column(const ErrorBudgetsOfMarginal& marginal,
                                       std::optional<double> ErrorBudgetPart::*member) {
   HtmlTableColumn column{header};
   for (const auto& [label, row] : marginal.rows) {
-    column.cells.push_back(l1_cell_text(row->parts.back().*member));
+    column.cells.push_back(l1_distance_cell_text(row->parts.back().*member));
   }
   return column;
 }
 
 std::string l1_budget_table_html(const ErrorBudgetsOfMarginal& marginal) {
   const auto with_uncertainty = [](const ErrorBudgetPart& part) {
-    const std::string l1 = l1_cell_text(part.l1);
-    return part.uncertainty ? l1 + " \u00b1 " + l1_cell_text(part.uncertainty) : l1;
+    const std::string l1 = l1_distance_cell_text(part.l1);
+    return part.uncertainty ? l1 + " \u00b1 " + l1_distance_cell_text(part.uncertainty) : l1;
   };
-  auto columns =
-      budget_part_columns(marginal, l1_cell_text, &ErrorBudgetRow::total, with_uncertainty);
+  auto columns = budget_part_columns(marginal, l1_distance_cell_text, &ErrorBudgetRow::total,
+                                     with_uncertainty);
   columns.push_back(sampling_error_column(marginal, "L1 of sampling error alone: mean",
                                           &ErrorBudgetPart::expected));
   columns.push_back(sampling_error_column(marginal, "L1 of sampling error alone: 99 % quantile",
@@ -114,7 +114,7 @@ std::string tail_budget_table_html(const ErrorBudgetsOfMarginal& marginal) {
 
 }  // namespace
 
-std::string budget_introduction_html(const results::CaseResult& case_result) {
+std::string error_budget_introduction_html(const results::CaseResult& case_result) {
   if (case_result.budget.empty()) return "";
   return fmt::format(
       "<p>Contribution of each step of the chain from a closure to {}: L1, and in the tail the "
@@ -123,7 +123,7 @@ std::string budget_introduction_html(const results::CaseResult& case_result) {
       escape_html(case_result.budget.front().reference));
 }
 
-std::string budget_tables_html(const results::CaseResult& case_result) {
+std::string error_budget_tables_html(const results::CaseResult& case_result) {
   std::string html;
   for (const auto& marginal : marginal_budgets(case_result))
     html += l1_budget_table_html(marginal) + tail_budget_table_html(marginal);

@@ -1,4 +1,4 @@
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 
 #include "report/figure/script_text.hpp"
 
@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "report/case_solutions.hpp"
-#include "report/page/html.hpp"
+#include "report/page/html_elements.hpp"
 #include "report/page/page_plots.hpp"
 #include "report/text/number_text.hpp"
 
@@ -100,7 +100,8 @@ std::string solutions_table_html(const results::CaseResult& case_result) {
       table.add_number(
           fmt::format("L1 to {}, {}", reference->id(), density_in_plain_text(variable)),
           [&](const Solution& s) {
-            return l1_cell_text(case_result.l1_distance(s.id(), reference->id(), variable));
+            return l1_distance_cell_text(
+                case_result.l1_distance(s.id(), reference->id(), variable));
           });
     }
   }
@@ -121,7 +122,7 @@ std::string residual_errors_table_html(const results::CaseResult& case_result) {
   return std::move(table).html("Errors of moments, estimated from residuals");
 }
 
-std::string bound_errors_table_html(const results::CaseResult& case_result) {
+std::string guaranteed_bound_errors_table_html(const results::CaseResult& case_result) {
   if (!case_result.bounds || case_result.bounds->each.empty()) return "";
   SolutionsHtmlTable table(case_result);
   for (const auto& [header, member] : kShownMoments) {
@@ -162,7 +163,7 @@ std::string diagnostics_tables_html(const results::CaseResult& case_result) {
   });
   const auto add_l1 = [&](const std::string& header, auto part, auto l1) {
     table.add_number(header, [part, l1](const Solution& s) {
-      return l1_cell_text(optional_number(s.*part, l1));
+      return l1_distance_cell_text(optional_number(s.*part, l1));
     });
   };
   using transform::ErrorEstimate;

@@ -1,4 +1,4 @@
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "report/figure/script_text.hpp"
-#include "report/page/html.hpp"
+#include "report/page/html_elements.hpp"
 #include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {
@@ -20,7 +20,7 @@ constexpr double kLeast = 1e-9;  // Position on the distance axis of all smaller
 
 class ReferenceDistancePlot {
  public:
-  ReferenceDistancePlot(const results::Run& run, const std::vector<SolutionAgreements>& all)
+  ReferenceDistancePlot(const results::Run& run, const std::vector<SolutionAgreementOverCases>& all)
       : run_(run), all_(all) {
     for (const auto& row : all) {
       for (const auto& entry : row.entries) {
@@ -100,7 +100,7 @@ class ReferenceDistancePlot {
   std::string row_elements() const {
     std::string svg;
     for (std::size_t k = 0; k < all_.size(); ++k) {
-      const SolutionAgreements& row = all_[k];
+      const SolutionAgreementOverCases& row = all_[k];
       const double y = kTop + kRow * (static_cast<double>(k) + 0.5);
       svg +=
           fmt::format("<line class=\"row\" x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>\n",
@@ -116,7 +116,7 @@ class ReferenceDistancePlot {
     return svg;
   }
 
-  static std::string text_without_distance(const SolutionAgreements& row) {
+  static std::string text_without_distance(const SolutionAgreementOverCases& row) {
     for (const auto& entry : row.entries) {
       if (entry.agreement == AgreementWithReference::reference) return "the reference";
       if (entry.solution != nullptr && !entry.solution->has_status_ok()) {
@@ -128,7 +128,7 @@ class ReferenceDistancePlot {
 
   // A filled circle marks status ok, an open circle another status with a density, and a cross a
   // solution without an admissible density.
-  std::string mark_element(const SolutionAgreements& row, std::size_t c, double y) const {
+  std::string mark_element(const SolutionAgreementOverCases& row, std::size_t c, double y) const {
     const SolutionAgreementInCase& entry = row.entries[c];
     const auto l1 = entry.largest_l1_distance();
     if (!l1) return "";
@@ -146,7 +146,7 @@ class ReferenceDistancePlot {
   }
 
   const results::Run& run_;
-  const std::vector<SolutionAgreements>& all_;
+  const std::vector<SolutionAgreementOverCases>& all_;
   bool any_ = false;
   double from_ = 0, to_ = 0;    // ends of the axis in decades
   double reference_error_ = 0;  // largest error estimate of a reference
@@ -154,8 +154,8 @@ class ReferenceDistancePlot {
 
 }  // namespace
 
-std::string reference_distance_plot_svg(const results::Run& run,
-                                        const std::vector<SolutionAgreements>& agreement_rows) {
+std::string reference_distance_plot_svg(
+    const results::Run& run, const std::vector<SolutionAgreementOverCases>& agreement_rows) {
   const ReferenceDistancePlot plot(run, agreement_rows);
   if (plot.empty()) return "";
   return "<figure class=\"strip\">\n" + plot.svg() +

@@ -1,4 +1,4 @@
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "report/figure/heat_map_values.hpp"
-#include "report/page/html.hpp"
+#include "report/page/html_elements.hpp"
 #include "report/page/page_plots.hpp"
 
 namespace fpkcheck::report {

@@ -1,4 +1,4 @@
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "report/case_solutions.hpp"
 #include "report/figure/figure.hpp"
 #include "report/figure/heat_map_values.hpp"
-#include "report/page/html.hpp"
+#include "report/page/html_elements.hpp"
 #include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {
@@ -55,7 +55,8 @@ const JointDensity* find_joint_density(const results::CaseResult& case_result,
 std::vector<std::string> compared_solutions(const results::CaseResult& case_result,
                                             const std::string& reference) {
   std::vector<std::string> ids;
-  for (const auto* closure : case_result.assessment.ranked_closures()) ids.push_back(closure->id);
+  for (const auto* closure : case_result.assessment.closures_ranked_by_distance())
+    ids.push_back(closure->id);
   for (const auto& solution : case_result.solutions) {
     const bool ranked = std::ranges::find(ids, solution.id()) != ids.end();
     if (!ranked && solution.has_status_ok() && solution.id() != reference)
@@ -84,7 +85,8 @@ const transform::Solution* joint_reference(const results::CaseResult& case_resul
 
 }  // namespace
 
-std::optional<JointDensityMaps> make_joint_maps(const results::CaseResult& case_result) {
+std::optional<JointDensityHeatMaps> make_joint_density_maps(
+    const results::CaseResult& case_result) {
   const auto* reference_solution = joint_reference(case_result);
   const JointDensity* reference = reference_solution != nullptr
                                       ? find_joint_density(case_result, reference_solution->id())
@@ -93,7 +95,7 @@ std::optional<JointDensityMaps> make_joint_maps(const results::CaseResult& case_
   const GridDensity& density = reference->density;
   const CellIndexWindow window = window_of_cells_above_peak_fraction(density, kLogarithmicFraction),
                         bulk = window_of_cells_above_peak_fraction(density, kLinearFraction);
-  JointDensityMaps maps{
+  JointDensityHeatMaps maps{
       reference->solution,
       {density.y_edges.begin() + window.y_begin, density.y_edges.begin() + window.y_end + 1},
       {density.v_edges.begin() + window.v_begin, density.v_edges.begin() + window.v_end + 1},
@@ -115,11 +117,11 @@ std::optional<JointDensityMaps> make_joint_maps(const results::CaseResult& case_
   return maps;
 }
 
-std::string joint_maps_html(const JointDensityMaps& maps, const std::string& prefix) {
+std::string joint_density_maps_html(const JointDensityHeatMaps& maps, const std::string& prefix) {
   std::string options;
   for (const auto& difference : maps.differences) {
     options += fmt::format("<option value=\"{0}\">{0} (L1 {1})</option>",
-                           escape_html(difference.solution), l1_cell_text(difference.l1));
+                           escape_html(difference.solution), l1_distance_cell_text(difference.l1));
   }
   const std::string reference = escape_html(maps.reference);
   const std::string first = escape_html(maps.differences.front().solution);
@@ -149,7 +151,7 @@ std::string joint_maps_html(const JointDensityMaps& maps, const std::string& pre
   return html + "</div>\n";
 }
 
-std::string joint_maps_json(const JointDensityMaps& maps, const std::string& prefix) {
+std::string joint_density_maps_json(const JointDensityHeatMaps& maps, const std::string& prefix) {
   Json json{{"id", prefix + "-joint"},
             {"prefix", prefix},
             {"reference", maps.reference},

@@ -1,4 +1,4 @@
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "report/case_solutions.hpp"
-#include "report/page/html.hpp"
+#include "report/page/html_elements.hpp"
 #include "report/text/number_text.hpp"
 
 namespace fpkcheck::report {

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <utility>
 
-#include "report/page/html.hpp"
+#include "report/page/html_elements.hpp"
 
 namespace fpkcheck::report {
 namespace {

@@ -1,4 +1,4 @@
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "problem/equivalent_linearisation.hpp"
-#include "report/page/html.hpp"
+#include "report/page/html_elements.hpp"
 
 namespace fpkcheck::report {
 namespace {

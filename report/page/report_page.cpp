@@ -1,4 +1,4 @@
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "report/figure/case_figures.hpp"
 #include "report/figure/curve_selection.hpp"
 #include "report/findings.hpp"
-#include "report/page/html.hpp"
+#include "report/page/html_elements.hpp"
 #include "report/page/page_plots.hpp"
 #include "results/run.hpp"
 
@@ -52,7 +52,7 @@ class ReportCaseSection {
   ReportCaseSection(const results::Run& run, const results::CaseResult& case_result,
                     const std::string& id)
       : id_(id) {
-    const std::string reference = describe_reference(case_result);
+    const std::string reference = reference_description_text(case_result);
     const std::string parameters =
         run.cases.size() > 1 ? varying_parameters_text(run, case_result)
                              : problem::non_default_parameters_text(case_result.problem, true);
@@ -68,20 +68,20 @@ class ReportCaseSection {
     begin_subsection("results", "Results");
     html_ += html_element("p", reference) + solutions_table_html(case_result) +
              status_reasons_html(case_result);
-    auto sentences = finding_sentences(case_result);
+    auto sentences = case_finding_sentences(case_result);
     std::erase(sentences, reference);  // the sentence on the reference is already above the table
     if (const auto limits = results::limiting_errors_text(case_result); !limits.empty())
       sentences.push_back(limits);
     html_ += sentence_list_html(sentences);
-    add_plots("budget", "Error budget", budget_introduction_html(case_result),
-              make_page_plots(budget_figure(case_result), id));
+    add_plots("budget", "Error budget", error_budget_introduction_html(case_result),
+              make_page_plots(error_budget_figure(case_result), id));
     html_ += collapsible_html(id + "-budget-table", "The error budget in numbers",
-                              budget_tables_html(case_result));
+                              error_budget_tables_html(case_result));
     add_plots("convergence", "Convergence", "",
               make_page_plots(convergence_figure(case_result), id));
-    if (const auto maps = make_joint_maps(case_result)) {
-      add_details("joint", "Joint densities", joint_maps_html(*maps, id));
-      maps_ = joint_maps_json(*maps, id);
+    if (const auto maps = make_joint_density_maps(case_result)) {
+      add_details("joint", "Joint densities", joint_density_maps_html(*maps, id));
+      maps_ = joint_density_maps_json(*maps, id);
     }
     if (const Figure maps = error_source_page_figure(case_result); !maps.panels.empty()) {
       add_details("sources", "Sources of the errors of moments",
@@ -92,8 +92,8 @@ class ReportCaseSection {
     if (!cost.empty()) add_details("cost", "L1 distance against computing time", plots_html(cost));
     plots_.insert(plots_.end(), cost.begin(), cost.end());
     add_details("diagnostics", "Diagnostics",
-                bound_errors_table_html(case_result) + residual_errors_table_html(case_result) +
-                    diagnostics_tables_html(case_result));
+                guaranteed_bound_errors_table_html(case_result) +
+                    residual_errors_table_html(case_result) + diagnostics_tables_html(case_result));
     html_ += "</section>\n";
   }
 

@@ -1,4 +1,4 @@
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "report/figure/script_text.hpp"
-#include "report/page/html.hpp"
+#include "report/page/html_elements.hpp"
 #include "report/page/page_plots.hpp"
 #include "report/text/number_text.hpp"
 #include "report/verdict/verdict.hpp"
@@ -30,7 +30,7 @@ std::string_view agreement_css_class(AgreementWithReference agreement) {
   }
 }
 
-std::string colour_key_html(const std::vector<SolutionAgreements>& all) {
+std::string colour_key_html(const std::vector<SolutionAgreementOverCases>& all) {
   struct Entry {
     AgreementWithReference agreement;
     std::string meaning;
@@ -43,7 +43,7 @@ std::string colour_key_html(const std::vector<SolutionAgreements>& all) {
   std::string html;
   for (const auto& [agreement, meaning] : entries) {
     const auto colour = agreement_css_class(agreement);
-    const bool there = std::ranges::any_of(all, [&](const SolutionAgreements& row) {
+    const bool there = std::ranges::any_of(all, [&](const SolutionAgreementOverCases& row) {
       return std::ranges::any_of(row.entries, [&](const SolutionAgreementInCase& entry) {
         return agreement_css_class(entry.agreement) == colour;
       });
@@ -65,7 +65,7 @@ std::string distance_cell_html(const SolutionAgreementInCase& entry,
                                const std::optional<double>& l1, bool with_mark) {
   const std::string text =
       entry.agreement == AgreementWithReference::reference ? "ref" : number_text(l1, 2);
-  const char mark = agreement_mark(entry);
+  const char mark = agreement_symbol(entry);
   const std::string marked = with_mark && mark != ' '
                                  ? fmt::format("<sup>{}</sup>", escape_html(std::string(1, mark)))
                                  : "";
@@ -75,7 +75,7 @@ std::string distance_cell_html(const SolutionAgreementInCase& entry,
 }
 
 std::string distance_matrix_html(const results::Run& run,
-                                 const std::vector<SolutionAgreements>& all,
+                                 const std::vector<SolutionAgreementOverCases>& all,
                                  const std::vector<std::string>& anchors) {
   std::string cases, variables, rows;
   for (std::size_t k = 0; k < run.cases.size(); ++k) {
@@ -94,7 +94,7 @@ std::string distance_matrix_html(const results::Run& run,
     }
     rows += "</tr>\n";
   }
-  auto marks = agreement_mark_meanings(all);
+  auto marks = agreement_symbol_meanings(all);
   marks.insert(marks.begin(),
                "L1 distance to the reference (ref) of each case: 0 for equal "
                "densities, 2 for disjoint ones");
@@ -107,7 +107,7 @@ std::string distance_matrix_html(const results::Run& run,
       escape_html(fmt::format("{}", fmt::join(marks, "; "))));
 }
 
-std::string verdict_lines_html(const std::vector<VerdictLine>& lines) {
+std::string verdict_lines_html(const std::vector<MethodVerdictLine>& lines) {
   if (lines.empty()) return "";
   std::string html = "<dl class=\"lines\">\n";
   for (const auto& line : lines) {
@@ -124,7 +124,7 @@ std::string verdict_paragraph_html(const std::string& sentence) {
 }
 
 std::string verdict_html(const results::Run& run, const std::vector<std::string>& anchors) {
-  const RunVerdict run_verdict = make_verdict(run);
+  const RunVerdict run_verdict = make_run_verdict(run);
   std::string html = "<section id=\"verdict\">\n";
   for (const auto& sentence : run_verdict.answer) html += verdict_paragraph_html(sentence);
   html += "<div class=\"front\">\n<div>\n" +

@@ -50,7 +50,7 @@ std::string parameter_value_text(const base::Value& value, int digits) {
   return without_padded_exponent(fmt::format("{:.{}g}", *number, digits));
 }
 
-std::string l1_cell_text(const std::optional<double>& l1) { return number_text(l1, 2); }
+std::string l1_distance_cell_text(const std::optional<double>& l1) { return number_text(l1, 2); }
 
 std::string seconds_text(const std::optional<double>& seconds) {
   if (!is_finite_number(seconds)) return std::string(kNoValue);

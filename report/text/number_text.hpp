@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/options/parameter.hpp"
+#include "base/options/parameter_value.hpp"
 
 /// Texts of numbers in tables and on the page.
 namespace fpkcheck::report {
@@ -21,7 +21,7 @@ std::string number_text(const std::optional<double>& value, int digits);
 std::string parameter_value_text(const base::Value& value, int digits = 6);
 
 /// Returns the text of an L1 distance for a table cell: 0.0044, 6.0e-6.
-std::string l1_cell_text(const std::optional<double>& l1);
+std::string l1_distance_cell_text(const std::optional<double>& l1);
 
 /// Returns the text of a time in seconds: 0.0042, 0.21, 16.9, 130.
 std::string seconds_text(const std::optional<double>& seconds);

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <utility>
 
-#include "compare/assessment.hpp"
+#include "compare/solution_assessment.hpp"
 
 namespace fpkcheck::report {
 namespace {
 
+using results::case_count_over_solutions;
 using results::CaseNamesBySolution;
 using results::RunAssessment;
-using results::total_case_count;
 using transform::SolutionRole;
 
 using Words = std::vector<std::string>;
@@ -40,9 +40,10 @@ std::string reference_sentence(const RunAssessment& assessed, int cases) {
     return "There is no reference: no solution of the full problem has status ok. Only the error "
            "estimate of each solution is available.";
   }
-  std::string text = fmt::format("The reference{} is {}",
-                                 case_count_phrase(total_case_count(assessed.references), cases),
-                                 solution_ids_text(assessed.references));
+  std::string text =
+      fmt::format("The reference{} is {}",
+                  case_count_text(case_count_over_solutions(assessed.references), cases),
+                  solution_ids_text(assessed.references));
   const double y = assessed.reference_y_l1, ydot = assessed.reference_ydot_l1;
   if (std::isfinite(y + ydot)) {
     text += fmt::format(", with L1 error estimates of {:.1g} in p(y) and {:.1g} in p(y')", y, ydot);
@@ -58,23 +59,23 @@ std::string reference_sentence(const RunAssessment& assessed, int cases) {
   return text + '.';
 }
 
-std::string closure_orders_text(const std::vector<const SolutionAgreements*>& members) {
+std::string closure_orders_text(const std::vector<const SolutionAgreementOverCases*>& members) {
   Words orders;
-  for (const SolutionAgreements* row : members) {
+  for (const SolutionAgreementOverCases* row : members) {
     orders.push_back(fmt::format("{}", *row->identity->order));
   }
   return comma_separated(orders);
 }
 
-bool differs_by_order_in_family(const SolutionAgreements& row) {
+bool differs_by_order_in_family(const SolutionAgreementOverCases& row) {
   return transform::differs_by_order_in_family(*row.identity);
 }
 
-int closure_order(const SolutionAgreements* row) { return *row->identity->order; }
+int closure_order(const SolutionAgreementOverCases* row) { return *row->identity->order; }
 
-std::vector<std::vector<const SolutionAgreements*>> closure_families(
-    const std::vector<SolutionAgreements>& all) {
-  std::vector<std::vector<const SolutionAgreements*>> families;
+std::vector<std::vector<const SolutionAgreementOverCases*>> closure_families(
+    const std::vector<SolutionAgreementOverCases>& all) {
+  std::vector<std::vector<const SolutionAgreementOverCases*>> families;
   for (const auto& row : all) {
     if (!differs_by_order_in_family(row)) continue;
     const auto same = std::ranges::find_if(families, [&](const auto& members) {
@@ -92,22 +93,22 @@ std::vector<std::vector<const SolutionAgreements*>> closure_families(
 }
 
 // The paper's closure has the impact condition to first order in 1-r.
-bool is_paper_closure(const SolutionAgreements& row) {
+bool is_paper_closure(const SolutionAgreementOverCases& row) {
   return differs_by_order_in_family(row) && !transform::is_external(*row.identity) &&
          row.identity->impact == problem::ImpactCondition::delta;
 }
 
-bool is_single_external_density(const SolutionAgreements& row) {
+bool is_single_external_density(const SolutionAgreementOverCases& row) {
   return transform::is_external(*row.identity) && !differs_by_order_in_family(row);
 }
 
 // Returns the text of the orders that reproduce the references: "epc-gaussian (the paper's closure)
 // at n = 6, not at n = 2, 4, 8".
 // @param any receives whether at least one order reproduces the references
-std::string reproducing_orders_text(const std::vector<const SolutionAgreements*>& members,
+std::string reproducing_orders_text(const std::vector<const SolutionAgreementOverCases*>& members,
                                     bool& any) {
-  std::vector<const SolutionAgreements*> good, bad;
-  for (const SolutionAgreements* row : members) {
+  std::vector<const SolutionAgreementOverCases*> good, bad;
+  for (const SolutionAgreementOverCases* row : members) {
     (row->reproduced_case_count() == row->case_count() ? good : bad).push_back(row);
   }
   any = !good.empty();
@@ -119,7 +120,7 @@ std::string reproducing_orders_text(const std::vector<const SolutionAgreements*>
                      bad.empty() ? "" : fmt::format(", not at n = {}", closure_orders_text(bad)));
 }
 
-std::string reproduction_sentence(const std::vector<SolutionAgreements>& all, int cases) {
+std::string reproduction_sentence(const std::vector<SolutionAgreementOverCases>& all, int cases) {
   Words yes, no;
   for (const auto& row : all) {
     if (!is_single_external_density(row)) continue;
@@ -132,23 +133,25 @@ std::string reproduction_sentence(const std::vector<SolutionAgreements>& all, in
   }
   if (yes.empty() && no.empty()) return "";
   const std::string within = fmt::format("Within L1 {} of the reference{}", compare::kCloseL1,
-                                         case_count_phrase(cases, cases));
+                                         case_count_text(cases, cases));
   if (yes.empty()) return fmt::format("{}: none of {}.", within, fmt::join(no, "; "));
   return fmt::format("{}: {}{}.", within, fmt::join(yes, "; "),
                      no.empty() ? "" : fmt::format("; not {}", fmt::join(no, "; ")));
 }
 
-VerdictLine verdict_line(const SolutionAgreements& row, const std::string& reference, int cases) {
+MethodVerdictLine verdict_line(const SolutionAgreementOverCases& row, const std::string& reference,
+                               int cases) {
   return {row.identity->id, row.reproduced_case_count() == row.case_count(),
           solution_outcome_text(row, reference, cases)};
 }
 
 // Returns the line with the largest distance for each order of a formulation: "n = 4 has L1
 // distance 0.0089, 8 has 0.0017".
-VerdictLine verdict_line(const std::vector<const SolutionAgreements*>& members, int cases) {
+MethodVerdictLine verdict_line(const std::vector<const SolutionAgreementOverCases*>& members,
+                               int cases) {
   Words parts;
   bool all = true, first = true;
-  for (const SolutionAgreements* row : members) {
+  for (const SolutionAgreementOverCases* row : members) {
     all = all && row->reproduced_case_count() == row->case_count();
     const auto largest_l1_distance = row->largest_l1_distance();
     const std::string order = fmt::format("{}{}", first ? "n = " : "", *row->identity->order);
@@ -164,10 +167,10 @@ VerdictLine verdict_line(const std::vector<const SolutionAgreements*>& members, 
       fmt::format("{}{}", all ? "reproduced: " : "reproduced in part: ", comma_separated(parts))};
 }
 
-std::vector<VerdictLine> verdict_lines(const RunAssessment& assessed, int cases) {
+std::vector<MethodVerdictLine> verdict_lines(const RunAssessment& assessed, int cases) {
   const auto& all = assessed.rows;
   const std::string reference = solution_ids_text(assessed.references);
-  std::vector<VerdictLine> lines;
+  std::vector<MethodVerdictLine> lines;
   for (const auto& row : all) {
     if (is_single_external_density(row)) lines.push_back(verdict_line(row, reference, cases));
   }
@@ -175,7 +178,7 @@ std::vector<VerdictLine> verdict_lines(const RunAssessment& assessed, int cases)
     if (members.size() > 1 && !is_paper_closure(*members.front())) {
       lines.push_back(verdict_line(members, cases));
     } else {
-      for (const SolutionAgreements* row : members)
+      for (const SolutionAgreementOverCases* row : members)
         lines.push_back(verdict_line(*row, reference, cases));
     }
   }
@@ -196,11 +199,11 @@ std::string confirmation_text(const RunAssessment& assessed, int cases) {
   if (!contradicting.empty()) {
     return fmt::format("{} differs by more than the errors of both explain{}",
                        solution_ids_text(contradicting),
-                       case_count_phrase(total_case_count(contradicting), cases));
+                       case_count_text(case_count_over_solutions(contradicting), cases));
   }
   if (confirming.empty()) return "no independent solution in this run confirms these values";
   std::string text = fmt::format("{} confirms these values", solution_ids_text(confirming));
-  if (total_case_count(confirming) == cases) return text;
+  if (case_count_over_solutions(confirming) == cases) return text;
   std::vector<std::string> names;
   for (const auto& [id, of_this] : confirming)
     names.insert(names.end(), of_this.begin(), of_this.end());
@@ -208,25 +211,25 @@ std::string confirmation_text(const RunAssessment& assessed, int cases) {
 }
 
 Words recommendation_sentences(const RunAssessment& assessed, int cases) {
-  if (const int judged = total_case_count(assessed.references); judged < cases) {
+  if (const int judged = case_count_over_solutions(assessed.references); judged < cases) {
     return {fmt::format(
         "There is no reference{}: rely on the error estimate of each solution. Raise the "
         "limits of fd (--max-seconds) and mcs (--time), or compare both: fpkcheck run "
         "--methods fd,mcs.",
-        case_count_phrase(cases - judged, cases))};
+        case_count_text(cases - judged, cases))};
   }
   Words sentences{fmt::format(
       "For reference values use {}, the solution of the full problem (all jumps, exact impact) "
       "with the smallest error estimate; {}.",
       solution_ids_text(assessed.references), confirmation_text(assessed, cases))};
   Words parts;
-  const SolutionAgreements* last = nullptr;
+  const SolutionAgreementOverCases* last = nullptr;
   for (const double accuracy : {0.01, 0.001}) {
-    const SolutionAgreements* found = assessed.fastest_accurate_solution(accuracy);
+    const SolutionAgreementOverCases* found = assessed.fastest_accurate_solution(accuracy);
     if (found == nullptr || found == last) continue;
     parts.push_back(fmt::format("within L1 {}{}, {} ({:.2g} s)", accuracy,
-                                parts.empty() ? case_count_phrase(cases, cases) : "",
-                                found->identity->id, found->longest_seconds()));
+                                parts.empty() ? case_count_text(cases, cases) : "",
+                                found->identity->id, found->longest_solve_seconds()));
     last = found;
   }
   if (!parts.empty()) {
@@ -238,7 +241,7 @@ Words recommendation_sentences(const RunAssessment& assessed, int cases) {
 
 }  // namespace
 
-RunVerdict make_verdict(const results::Run& run) {
+RunVerdict make_run_verdict(const results::Run& run) {
   const int cases = static_cast<int>(run.cases.size());
   RunAssessment assessed = results::assess_run(run);
   RunVerdict run_verdict{.agreement_rows = {}, .answer = {}, .lines = {}, .recommendation = {}};

@@ -12,37 +12,37 @@ namespace fpkcheck::report {
 using compare::AgreementWithReference;
 using results::MarginalDistances;
 using results::SolutionAgreementInCase;
-using results::SolutionAgreements;
+using results::SolutionAgreementOverCases;
 
 /// Returns the text of the L1 distances of p(y) and p(y'): "0.0061 in p(y) and 0.0051 in p(y')".
 std::string l1_distances_text(const MarginalDistances& distances);
 
 /// Returns the phrase for a number of cases: " in all 4 cases" or " in 2 of 4 cases". The phrase is
 /// empty for a run of a single case.
-std::string case_count_phrase(int count, int cases);
+std::string case_count_text(int count, int cases);
 
 /// Returns the outcome of a solution over the cases in words: "reproduced: .." with the largest L1
 /// distances, or "not reproduced: .." with the reason.
 /// @param reference name of the reference, or several names if the references of the cases differ
 /// @param cases number of cases of the run
-std::string solution_outcome_text(const SolutionAgreements& row, const std::string& reference,
-                                  int cases);
+std::string solution_outcome_text(const SolutionAgreementOverCases& row,
+                                  const std::string& reference, int cases);
 
 /// Returns the outcome of a solution without distances: "not_converged in all 4 cases: no solution
 /// found".
-std::string outcome_text_without_distances(const SolutionAgreements& row, int cases);
+std::string outcome_text_without_distances(const SolutionAgreementOverCases& row, int cases);
 
 /// Returns the mark beside the distances of a solution in the matrix of the verdict. A mark
 /// indicates a status other than `ok`, or that the solution is indistinguishable from the
 /// reference. For all other solutions the mark is a blank.
-char agreement_mark(const SolutionAgreementInCase& entry);
+char agreement_symbol(const SolutionAgreementInCase& entry);
 
 /// Returns the marks in the matrix of the verdict with their meanings, such as "~ inaccurate".
-std::vector<std::string> agreement_mark_meanings(
-    const std::vector<SolutionAgreements>& agreement_rows);
+std::vector<std::string> agreement_symbol_meanings(
+    const std::vector<SolutionAgreementOverCases>& agreement_rows);
 
 /// One line of the verdict: the outcome of a method, or of one order of a closure.
-struct VerdictLine {
+struct MethodVerdictLine {
   std::string subject;  ///< id or family, such as "epc-gaussian-n6" or "epc-polar"
   bool reproduced;      ///< whether the method reproduces the reference in each of its cases
   std::string outcome;  ///< "reproduced: L1 distance at most 0.0061 in p(y) and 0.0051 in p(y')"
@@ -51,20 +51,20 @@ struct VerdictLine {
 /// The main result of a run, printed before all tables.
 struct RunVerdict {
   /// Rows of the matrix of the verdict, one for each solution.
-  std::vector<SolutionAgreements> agreement_rows;
+  std::vector<SolutionAgreementOverCases> agreement_rows;
   /// Paragraphs on contradictions with the guaranteed bounds, on the accuracy of the reference, and
   /// on the solutions that reproduce the reference.
   std::vector<std::string> answer;
   /// Outcomes of the methods, one line each. There is a line for each order of the paper's closure
   /// (with the impact condition to first order in 1-r), for each further formulation, for each
   /// approximate equation, and for each external density or family of densities.
-  std::vector<VerdictLine> lines;
+  std::vector<MethodVerdictLine> lines;
   /// Sentences that recommend the solution for reference values and the fastest method of
   /// sufficient accuracy, with the reasons.
   std::vector<std::string> recommendation;
 };
 
-RunVerdict make_verdict(const results::Run& run);
+RunVerdict make_run_verdict(const results::Run& run);
 
 /// Returns the answer of the verdict in plain text, broken into lines.
 std::string verdict_answer_text(const RunVerdict& run_verdict, const TerminalTextFormat& format);
@@ -73,7 +73,7 @@ std::string verdict_answer_text(const RunVerdict& run_verdict, const TerminalTex
 /// each solution. The row of a solution has the L1 distances of p(y) and p(y') from the reference
 /// of each case. As many cases as fit are side by side. Below the matrix are the meanings of its
 /// marks, the lines of the verdict and the recommendation.
-std::string verdict_text(const results::Run& run, const RunVerdict& run_verdict,
-                         const TerminalTextFormat& format);
+std::string run_verdict_text(const results::Run& run, const RunVerdict& run_verdict,
+                             const TerminalTextFormat& format);
 
 }  // namespace fpkcheck::report

@@ -22,21 +22,21 @@ std::string short_l1_text(const std::optional<double>& l1) {
   return text;
 }
 
-TextTableColumn solution_column(const std::vector<SolutionAgreements>& all) {
+TextTableColumn solution_column(const std::vector<SolutionAgreementOverCases>& all) {
   TextTableColumn column{"", "solution", true, kAlwaysShown};
   for (const auto& row : all) column.cells.push_back(row.identity->id);
   return column;
 }
 
-std::pair<TextTableColumn, TextTableColumn> case_columns(const std::vector<SolutionAgreements>& all,
-                                                         std::size_t k, const std::string& name) {
+std::pair<TextTableColumn, TextTableColumn> case_columns(
+    const std::vector<SolutionAgreementOverCases>& all, std::size_t k, const std::string& name) {
   TextTableColumn y{name, "p(y)", false, kAlwaysShown}, ydot{name, "p(y') ", false, kAlwaysShown};
   for (const auto& row : all) {
     const SolutionAgreementInCase& entry = row.entries[k];
     const bool is_reference = entry.agreement == AgreementWithReference::reference;
     y.cells.push_back(is_reference ? "ref" : short_l1_text(entry.y));
     ydot.cells.push_back((is_reference ? "ref" : short_l1_text(entry.ydot)) +
-                         agreement_mark(entry));
+                         agreement_symbol(entry));
   }
   return {std::move(y), std::move(ydot)};
 }
@@ -48,7 +48,8 @@ std::size_t matrix_width(const std::vector<TextTableColumn>& columns) {
 }
 
 // Each block of the matrix has as many cases as fit into the width.
-std::string matrix_blocks(const results::Run& run, const std::vector<SolutionAgreements>& all,
+std::string matrix_blocks(const results::Run& run,
+                          const std::vector<SolutionAgreementOverCases>& all,
                           const TerminalTextFormat& format) {
   std::string text;
   std::vector<TextTableColumn> block{solution_column(all)};
@@ -77,12 +78,12 @@ std::string verdict_answer_text(const RunVerdict& run_verdict, const TerminalTex
   return text;
 }
 
-std::string verdict_text(const results::Run& run, const RunVerdict& run_verdict,
-                         const TerminalTextFormat& format) {
+std::string run_verdict_text(const results::Run& run, const RunVerdict& run_verdict,
+                             const TerminalTextFormat& format) {
   std::string text;
   if (run.cases.size() > 1) {
     text += matrix_blocks(run, run_verdict.agreement_rows, format);
-    auto marks = agreement_mark_meanings(run_verdict.agreement_rows);
+    auto marks = agreement_symbol_meanings(run_verdict.agreement_rows);
     marks.insert(marks.begin(), "L1 distance to the reference (ref) of each case");
     text += wrap_text(fmt::format("{}.", fmt::join(marks, "; ")), format.width) + '\n';
   }

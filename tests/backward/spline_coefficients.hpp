@@ -29,8 +29,8 @@ inline Eigen::VectorXd power_coefficients(const ImpactSplineBasis& basis, int n)
   const Eigen::VectorXd speed = power_coefficients(basis.speed_basis(), n);
   Eigen::VectorXd c(basis.size());
   for (int h = 0; h < speed.size(); ++h) {
-    c(basis.outgoing_index(h)) = speed(h) * std::pow(basis.restitution(), n);
-    c(basis.incoming_index(h)) = speed(h) * std::pow(-1.0, n);
+    c(basis.outgoing_basis_index(h)) = speed(h) * std::pow(basis.restitution(), n);
+    c(basis.incoming_basis_index(h)) = speed(h) * std::pow(-1.0, n);
   }
   return c;
 }
@@ -39,11 +39,12 @@ inline Eigen::VectorXd power_coefficients(const ImpactSplineBasis& basis, int n)
 inline double spline_value(const ImpactSplineBasis& basis, const Eigen::VectorXd& c, double v) {
   const numerics::SplineBasis& speeds = basis.speed_basis();
   const double u = std::min(v < 0 ? -v : v / basis.restitution(), speeds.end());
-  const int span = speeds.span_containing(u);
+  const int span = speeds.knot_span_containing(u);
   const Eigen::MatrixXd at = speeds.basis_derivatives(u, span, 0);
   double sum = 0;
   for (int l = 0; l <= speeds.degree(); ++l) {
-    sum += at(0, l) * c(v < 0 ? basis.incoming_index(span + l) : basis.outgoing_index(span + l));
+    sum += at(0, l) *
+           c(v < 0 ? basis.incoming_basis_index(span + l) : basis.outgoing_basis_index(span + l));
   }
   return sum;
 }

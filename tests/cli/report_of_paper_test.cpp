@@ -11,10 +11,10 @@
 #include "results/saved_run.hpp"
 #include "temporary_directory.hpp"
 #include "workflows/paper/claims.hpp"
+#include "workflows/paper/claims_supplement.hpp"
 #include "workflows/paper/claims_table.hpp"
 #include "workflows/paper/judge_claims.hpp"
 #include "workflows/paper/judged_run.hpp"
-#include "workflows/paper/supplement.hpp"
 
 /// `report` for the directory of a run of `paper`.
 namespace fpkcheck::cli {

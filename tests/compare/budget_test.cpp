@@ -51,13 +51,13 @@ struct Height {
   double exponent = 0;
 };
 
-transform::Marginal marginal_of(const ComparisonAxes& axes, StateVariable variable, Height height) {
+transform::Marginal marginal_of(const ComparisonBins& axes, StateVariable variable, Height height) {
   const double factor = variable == StateVariable::y ? 1 : 2;
   return alternating(comparison_bin_edges(axes, variable), variable, factor * height.amplitude,
                      factor * height.exponent);
 }
 
-transform::GridDensity product(const ComparisonAxes& axes, double amplitude) {
+transform::GridDensity product(const ComparisonBins& axes, double amplitude) {
   const auto y = marginal_of(axes, StateVariable::y, {amplitude});
   const auto v = marginal_of(axes, StateVariable::ydot, {amplitude});
   transform::GridDensity density{axes.y_edges, axes.v_edges, {}};
@@ -67,7 +67,7 @@ transform::GridDensity product(const ComparisonAxes& axes, double amplitude) {
   return density;
 }
 
-Solution made(const ComparisonAxes& axes, const std::string& id, DensityEquation equation,
+Solution made(const ComparisonBins& axes, const std::string& id, DensityEquation equation,
               ImpactCondition impact, Height height) {
   Solution s{.identity = tests::identity(id, id.substr(0, id.find('-')), equation, impact)};
   s.status = Status::ok;
@@ -78,7 +78,7 @@ Solution made(const ComparisonAxes& axes, const std::string& id, DensityEquation
 }
 
 /// A solution with two grids; its Richardson limit is fine + (fine - coarser) / 3.
-Solution with_grids(const ComparisonAxes& axes, const std::string& id, DensityEquation equation,
+Solution with_grids(const ComparisonBins& axes, const std::string& id, DensityEquation equation,
                     double fine, double coarser) {
   Solution s = made(axes, id, equation, ImpactCondition::map, {fine});
   s.density = product(axes, fine);
@@ -87,7 +87,7 @@ Solution with_grids(const ComparisonAxes& axes, const std::string& id, DensityEq
 }
 
 /// A chain of models with known distances: amplitudes 0.1, 0.03, 0.02, 0.011 (limit 0.01), 0.
-std::vector<Solution> chain_of_models(const ComparisonAxes& axes) {
+std::vector<Solution> chain_of_models(const ComparisonBins& axes) {
   std::vector<Solution> solutions{
       made(axes, "epc-gaussian-n6", DensityEquation::km4, ImpactCondition::delta, {0.1, 0.5}),
       made(axes, "fd-km4-delta", DensityEquation::km4, ImpactCondition::delta, {0.03, 0.2}),
@@ -100,16 +100,16 @@ std::vector<Solution> chain_of_models(const ComparisonAxes& axes) {
 }
 
 std::vector<ErrorBudgetRow> budget_of(const std::vector<Solution>& solutions) {
-  return compare_solutions(comparison_axes(tests::paper_case(1)), solutions).budget;
+  return compare_solutions(comparison_bins(tests::paper_case(1)), solutions).budget;
 }
 
 std::vector<Solution> chain_of_models() {
-  return chain_of_models(comparison_axes(tests::paper_case(1)));
+  return chain_of_models(comparison_bins(tests::paper_case(1)));
 }
 
 std::vector<std::string> names(const ErrorBudgetRow& row) {
   std::vector<std::string> result;
-  for (const auto& part : row.parts) result.push_back(part.part_name());
+  for (const auto& part : row.parts) result.push_back(part.error_budget_part_name());
   return result;
 }
 
@@ -136,7 +136,7 @@ std::vector<Solution> without(std::vector<Solution> solutions, const std::string
 }
 
 TEST(Budget, PartsAreDistancesOfConsecutiveModels) {
-  const auto axes = comparison_axes(tests::paper_case(1));
+  const auto axes = comparison_bins(tests::paper_case(1));
   const auto budget = budget_of(chain_of_models(axes));
   ASSERT_EQ(budget.size(), 2u);
   for (const auto& row : budget) {
@@ -155,9 +155,9 @@ TEST(Budget, PartsAreDistancesOfConsecutiveModels) {
     EXPECT_NEAR(row.total, l1(0, 5), 1e-12);
     for (std::size_t k = 0; k < row.parts.size(); ++k) {
       const auto& part = row.parts[k];
-      EXPECT_NEAR(part.l1, l1(k, k + 1), 1e-12) << part.part_name();
+      EXPECT_NEAR(part.l1, l1(k, k + 1), 1e-12) << part.error_budget_part_name();
       EXPECT_NEAR(part.tail, f * std::abs(exponents[k] - exponents[k + 1]), 1e-12)
-          << part.part_name();
+          << part.error_budget_part_name();
       EXPECT_EQ(part.from, ids[k]);
       EXPECT_EQ(part.to, ids[k + 1]);
     }
@@ -171,7 +171,7 @@ TEST(Budget, PartsHaveTheDiscretisationErrorsOfTheirEndsAsUncertainty) {
   const auto budget = budget_of(chain_of_models());
   const auto& parts = budget[1].parts;  // y': twice the amplitudes
   const double inner =
-      1 - plateau_mass(comparison_axes(tests::paper_case(1)).v_edges, StateVariable::ydot);
+      1 - plateau_mass(comparison_bins(tests::paper_case(1)).v_edges, StateVariable::ydot);
   EXPECT_FALSE(parts[0].uncertainty);  // fd-km4-delta has no error estimate
   EXPECT_FALSE(parts[1].uncertainty);
   EXPECT_NEAR(parts[2].uncertainty.value(), 2 * inner * (0.002 + 0.001), 1e-12);
@@ -212,7 +212,7 @@ TEST(Budget, LinksAreJoinedIfASolutionIsMissingOrNotOk) {
 }
 
 TEST(Budget, ChainDependsOnTheEquationOfTheClosure) {
-  const auto axes = comparison_axes(tests::paper_case(1));
+  const auto axes = comparison_bins(tests::paper_case(1));
   auto solutions = chain_of_models(axes);
   solutions.insert(
       solutions.begin(),
@@ -283,7 +283,7 @@ TEST(Budget, ClosuresAreListedOnceWithTheirRowsAndPartsInTheOrderOfTheChain) {
 }
 
 TEST(Budget, ThePartsBoundTheTotalWhateverTheOrderOfTheModels) {
-  const auto axes = comparison_axes(tests::paper_case(1));
+  const auto axes = comparison_bins(tests::paper_case(1));
   auto solutions = chain_of_models(axes);
   solutions[0] =
       made(axes, "epc-gaussian-n6", DensityEquation::km4, ImpactCondition::delta, {0.01, 0.01});

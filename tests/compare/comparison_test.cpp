@@ -18,7 +18,7 @@ using transform::Solution;
 using transform::StateVariable;
 
 struct MadeUp {
-  ComparisonAxes axes = comparison_axes(tests::paper_case(1));
+  ComparisonBins axes = comparison_bins(tests::paper_case(1));
   std::vector<Solution> solutions = tests::made_up_solutions(axes);
   SolutionComparison comparison = compare_solutions(axes, solutions);
 };
@@ -60,9 +60,10 @@ TEST(Comparison, UsesTheHistogramOfTheSimulation) {
 
 // Rounding makes a discretised tail negative. Solutions that are not ok keep the negative values.
 TEST(Comparison, ClipsNegativeDensitiesOfOkSolutions) {
-  const auto axes = comparison_axes(tests::paper_case(1));
+  const auto axes = comparison_bins(tests::paper_case(1));
   auto solutions = tests::made_up_solutions(axes);
-  const auto find = [](const std::vector<SolutionMarginal>& marginals, const std::string& id) {
+  const auto find = [](const std::vector<SolutionMarginalDensity>& marginals,
+                       const std::string& id) {
     return std::ranges::find_if(marginals, [&](const auto& one) {
       return one.solution == id && one.variable == StateVariable::y;
     });
@@ -88,7 +89,7 @@ TEST(Comparison, ClipsNegativeDensitiesOfOkSolutions) {
 }
 
 TEST(Comparison, UsesUniformBinsForDistances) {
-  const auto axes = comparison_axes(tests::make_problem({.rate = 0.02}));
+  const auto axes = comparison_bins(tests::make_problem({.rate = 0.02}));
   ASSERT_GT(axes.divisions, 0);
   const auto comparison = compare_solutions(axes, tests::made_up_solutions(axes));
   const auto& one = comparison.marginals[0];
@@ -111,7 +112,7 @@ TEST(Comparison, ComparesTheMarginalOfTheNamedVariable) {
                                                   DensityEquation::kf, ImpactCondition::map),
                                   tests::smooth_density({2, 0, 2, quartic}, 5, 5)));
   }
-  const auto pairs = compare_solutions(comparison_axes(tests::paper_case(1)), two).pairs;
+  const auto pairs = compare_solutions(comparison_bins(tests::paper_case(1)), two).pairs;
   ASSERT_EQ(pairs.size(), 2u);
   EXPECT_LT(pairs[0].distances.l1, 1e-9);
   EXPECT_GT(pairs[1].distances.l1, 1e-2);

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "compare/comparison_axes.hpp"
+#include "compare/comparison_bins.hpp"
 #include "paper_cases.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
@@ -141,7 +141,7 @@ TEST(TailDistance, OmitsAndCountsNoisyAndNonpositiveBins) {
 TEST(ComparisonAxes, CoverSevenDeviationsWithAnEdgeAtZeroVelocity) {
   const auto problem = tests::paper_case(4);
   const auto bell = problem::equivalent_linearisation(problem);
-  const auto axes = comparison_axes(problem);
+  const auto axes = comparison_bins(problem);
   EXPECT_EQ(axes.y_edges.front(), 0.0);
   EXPECT_NEAR(axes.y_edges.back(), 7 * bell.displacement_deviation, 1e-14);
   EXPECT_NEAR(axes.v_edges.back(), 7 * bell.velocity_deviation, 1e-14);

@@ -22,7 +22,7 @@ TEST(RestAtoms, OfDifferentWallsDifferInYOnly) {
 
 // Equal densities of mass 1/2: only the atoms differ.
 TEST(RestAtoms, ContributeToTheDistanceOfSolutions) {
-  const ComparisonAxes axes{{0, 1, 2}, {-1, 0, 1}, 0};
+  const ComparisonBins axes{{0, 1, 2}, {-1, 0, 1}, 0};
   const auto solution = [](const char* id, double p0) {
     transform::Solution s;
     s.identity.id = id;

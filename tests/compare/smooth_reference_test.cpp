@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/assessment.hpp"
 #include "compare/comparison.hpp"
 #include "compare/distances.hpp"
+#include "compare/solution_assessment.hpp"
 #include "made_up_solutions.hpp"
 
 namespace fpkcheck::compare {
@@ -85,7 +85,7 @@ TEST(SmoothReference, HasDistancesOverSharpBinsToNoisySolutions) {
   auto one = tests::made_up_case_with_control_variates();
   auto solutions = one.solutions;
   solutions[5].sampling = {.y = 1e-3, .ydot = 1e-3};  // fd-km4, as if from a file
-  const auto compared = compare_solutions(comparison_axes(one.problem), solutions);
+  const auto compared = compare_solutions(comparison_bins(one.problem), solutions);
   EXPECT_FALSE(
       find_pair_distances(compared.pairs, "fd-km4", "mcs", StateVariable::y)->l1_standard_error);
   EXPECT_EQ(*l1_distance_between(compared.pairs, "fd-km4", "mcs", StateVariable::y),
@@ -99,7 +99,7 @@ TEST(SmoothReference, EndsTheChainWithTheDiscretisation) {
   ASSERT_FALSE(one.budget.empty());
   for (const auto& row : one.budget) {
     const auto& last = row.parts.back();
-    EXPECT_EQ(last.part_name(), "discretisation");
+    EXPECT_EQ(last.error_budget_part_name(), "discretisation");
     EXPECT_EQ(last.from, "fd-kf");
     EXPECT_EQ(last.to, "mcs");
     EXPECT_EQ(last.l1, *l1_distance_between(one.pairs, "fd-kf", "mcs", row.variable));

@@ -114,7 +114,7 @@ TEST(ControlVariates, HoldsForLossesRareImpulsesAndAMean) {
 
 TEST(ControlVariates, IsPlainWithoutControlFunctions) {
   const auto note = [](const problem::Problem& problem, mcs::SimulationOptions options,
-                       ControlVariateSplineCells cells) {
+                       ControlVariateSplineCellCounts cells) {
     options.controlled = true;
     options.streams = 8;
     const auto solution =
@@ -137,7 +137,7 @@ TEST(ControlVariates, IsPlainWithoutControlFunctions) {
 TEST(ControlVariates, LimitsTheGeneratorTestByTheNumberOfStreams) {
   const mcs::SimulationOptions few{.time = 5e3, .streams = 8};
   const auto solution = simulate_with_control_variates(
-      tests::paper_case(1), {.simulation = few, .cells = ControlVariateSplineCells{20, 40}});
+      tests::paper_case(1), {.simulation = few, .cells = ControlVariateSplineCellCounts{20, 40}});
   EXPECT_TRUE(solution.has_status_ok()) << solution.reason;
   EXPECT_EQ(transform::metric_number(solution.metrics, "checks.generator.dimensions"), 4);
   const double p = *transform::metric_number(solution.metrics, "checks.generator.p_value");
@@ -150,7 +150,7 @@ TEST(ControlVariates, SupportsProblemsWithoutImpacts) {
   const auto problem = tests::make_problem({.cubic = 0, .rate = 500, .mean = 0.01273});
   const auto solution = simulate_with_control_variates(
       problem, {.simulation = {.time = 2e3, .accuracy = 0.1, .streams = 16},
-                .cells = ControlVariateSplineCells{20, 40}});
+                .cells = ControlVariateSplineCellCounts{20, 40}});
   EXPECT_TRUE(solution.has_status_ok()) << solution.reason;
   EXPECT_EQ(transform::metric_number(solution.metrics, "checks.impacts.restitution"), 0);
 }
@@ -168,7 +168,7 @@ TEST(ControlVariates, ReportsProgressAfterTheFit) {
                                                        [&](const mcs::SimulationProgress& at) {
                                                          fraction = std::max(fraction, at.fraction);
                                                        }},
-                                    .cells = ControlVariateSplineCells{60, 120}});
+                                    .cells = ControlVariateSplineCellCounts{60, 120}});
     return fraction;
   };
   EXPECT_EQ(furthest(2), 0);
@@ -179,7 +179,7 @@ TEST(ControlVariates, SolvesInOneCall) {
   const auto problem = tests::paper_case(1);
   const mcs::SimulationOptions simulation{.time = 5e4, .streams = 32};
   const auto solution = simulate_with_control_variates(
-      problem, {.simulation = simulation, .cells = ControlVariateSplineCells{24, 48}});
+      problem, {.simulation = simulation, .cells = ControlVariateSplineCellCounts{24, 48}});
   EXPECT_TRUE(solution.has_status_ok()) << solution.reason;
   const double error = solution.standard_errors->moments.y2;
   EXPECT_LT(error, 1e-6);
@@ -206,11 +206,11 @@ TEST(EstimatedFunctionals, AreWhatTheDepositHolds) {
   const EstimatedFunctionals functionals{.y_bins = kBins, .v_bins = {-1, 0.5, 5}};
   const auto functions = functionals.integrands_of_functionals();
   EXPECT_EQ(static_cast<int>(functions.size()), functionals.functional_count());
-  mcs::DepositOfOneStream stream;
+  mcs::DepositedSumsOfTrajectory stream;
   stream.samples = 4;
   for (std::size_t p = 0; p < mcs::kRecordedMomentPowers.size(); ++p)
     stream.powers[p] = 4.0 * static_cast<double>(1 + p);
-  mcs::SampleDepositGrid grid;
+  mcs::SampleDepositionGrid grid;
   grid.y_bins = functionals.y_bins;
   grid.v_bins = functionals.v_bins;
   stream.sums.y_bins.assign(20, 0);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "control_variates/solution.hpp"
+#include "control_variates/control_variate_solution.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
 #include "paper_cases.hpp"
 
@@ -12,10 +12,10 @@ struct PreparedCase {
   control_variates::ControlVariateSetup setup;
 
   explicit PreparedCase(problem::Problem p,
-                        control_variates::ControlVariateSplineCells cells = {30, 64})
+                        control_variates::ControlVariateSplineCellCounts cells = {30, 64})
       : problem(std::move(p)),
         setup(control_variates::make_control_variate_setup(
-            problem, control_variates::make_deposited_sum_layout(problem, cells),
+            problem, control_variates::make_deposition_spline_layout(problem, cells),
             mcs::make_simulation_plan(problem, mcs::SimulationOptions{}).sampling_interval)) {}
 
   mcs::SimulationOptions simulation_options(double time, std::uint64_t seed = 1,

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "control_variates/solution.hpp"
-#include "mcs/deposit/deposit_simd.hpp"
+#include "control_variates/control_variate_solution.hpp"
+#include "mcs/deposit/sample_deposit_simd.hpp"
 #include "mcs/scalar_trajectory.hpp"
 #include "mcs/simulation/initial_state_sampler.hpp"
 #include "prepared_case.hpp"
@@ -79,14 +79,14 @@ TEST(Checks, FindImpulsesThatComeTooOften) {
 }
 
 /// Simulates flights and impacts in a separate loop, in which every impact is located too late.
-mcs::DepositOfOneStream deposit_late_impacts(const mcs::SampleDepositPlan& plan,
-                                             const problem::Problem& problem, std::uint32_t s,
-                                             double late, double time) {
+mcs::DepositedSumsOfTrajectory deposit_late_impacts(const mcs::SampleDepositionPlan& plan,
+                                                    const problem::Problem& problem,
+                                                    std::uint32_t s, double late, double time) {
   const mcs::SimulatedOscillator oscillator = tests::oscillator_of(problem);
   mcs::ImpulseSource source(problem.impulses, 5, s);
   mcs::OscillatorState state = mcs::folded_initial_state(source, 0.65, 0.65);
   mcs::Impulse next = source.next_impulse();
-  mcs::DepositOfOneStream stream{.sums = mcs::DepositedSampleSums(plan.grid)};
+  mcs::DepositedSumsOfTrajectory stream{.sums = mcs::DepositedSampleSums(plan.grid)};
   double y_before = 0, time_to_sample = plan.sampling_interval / 2, remaining = time + 400;
   while (remaining > 0) {
     const bool burns_in = remaining > time;
@@ -100,7 +100,7 @@ mcs::DepositOfOneStream deposit_late_impacts(const mcs::SampleDepositPlan& plan,
       state = {0, after};
     }
     const tests::Flight flight(oscillator, state);
-    double span = std::min({flight.max_step(0.5), next.waiting_time, remaining});
+    double span = std::min({flight.max_flight_duration(0.5), next.waiting_time, remaining});
     if (burns_in) span = std::min(span, remaining - time);
     mcs::OscillatorState end = flight.state_at_time(span);
     if (end.y < 0 && state.y > 0) {
@@ -144,12 +144,12 @@ TEST(Checks, FindImpactsLocatedLateByAMillionth) {
   const mcs::SimulationPlan plan =
       mcs::make_simulation_plan(problem, tests::prepared_case_1().simulation_options(kTime));
   for (const double late : {0.0, 1e-6}) {
-    std::vector<mcs::DepositOfOneStream> streams;
+    std::vector<mcs::DepositedSumsOfTrajectory> streams;
     for (std::uint32_t s = 0; s < 40; ++s) {
       streams.push_back(deposit_late_impacts(*plan.deposit, problem, s, late, 2000));
     }
     const Eigen::MatrixXd generator = stream_means_of_generated_splines(setup, streams);
-    const FunctionalEstimates estimates = estimate_functionals(setup, generator, streams);
+    const StationaryFunctionalEstimates estimates = estimate_functionals(setup, generator, streams);
     const SimulationIdentityChecks judged =
         compute_simulation_identity_checks(setup, generator, streams, estimates);
     EXPECT_EQ(judged.failed_check_names(), late > 0 ? Names{"wall"} : Names{});

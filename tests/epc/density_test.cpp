@@ -11,7 +11,7 @@
 #include "paper_cases.hpp"
 #include "refusal.hpp"
 #include "transform/coordinate_transformation.hpp"
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 namespace fpkcheck::epc {
 namespace {

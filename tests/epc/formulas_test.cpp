@@ -287,9 +287,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 ProjectedEquations with_formulas(const GaussianWeightedBasis& basis, const Problem& p,
-                                 const ResidualCoefficients& f) {
+                                 const DensityEquationCoefficients& f) {
   return ProjectedEquations(basis,
-                            ProjectedFormulas(basis, p, f.damping, f.odd_force.coefficient(1)));
+                            ProjectedFormulaTerms(basis, p, f.damping, f.odd_force.coefficient(1)));
 }
 
 // The residual by quadrature of the formulas is that of the polynomials, for every Q_n.
@@ -321,7 +321,8 @@ TEST(ProjectedFormulas, HaveTheirJacobian) {
                    "[wall]\nleft = 0\nleft_restitution = 1 - 0.2*tanh(v)\n" + kImpulses + kNoise +
                    "factor = 1 + 0.3*tanh(y + v)\ninterpretation = stratonovich\n");
   const GaussianWeightedBasis basis(4, MonomialSet::general, gaussian_weight_deviations(p));
-  const auto f = residual_coefficients(p, problem::DensityEquation::km4, basis.sigma());
+  const auto f =
+      residual_coefficients(p, problem::DensityEquation::km4, basis.weight_standard_deviations());
   const ProjectedEquations equations = with_formulas(basis, p, f);
   const VectorXd a = VectorXd::LinSpaced(basis.size(), -0.3, 0.2);
   const MatrixXd jacobian = equations.jacobian(f, a);

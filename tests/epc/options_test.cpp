@@ -52,15 +52,20 @@ std::string error_message(const ClosureOptions& options) {
 }
 
 TEST(ClosureOptions, SurviveARoundTripThroughTheirValues) {
-  const auto values = description().values(non_default_options()), usual = description().values({});
-  EXPECT_EQ(description().values(description().read(values, "options")), values);
-  EXPECT_EQ(description().values(description().read(usual, "options")), usual);
+  const auto values = solver_option_descriptions().values(non_default_options()),
+             usual = solver_option_descriptions().values({});
+  EXPECT_EQ(
+      solver_option_descriptions().values(solver_option_descriptions().read(values, "options")),
+      values);
+  EXPECT_EQ(
+      solver_option_descriptions().values(solver_option_descriptions().read(usual, "options")),
+      usual);
   for (std::size_t k = 0; k < values.size(); ++k) EXPECT_NE(values[k], usual[k]) << values[k].name;
 }
 
 TEST(ClosureOptions, HaveTheNamesOfTheFiles) {
   std::vector<std::string> names;
-  for (const auto& [name, value] : description().values({})) names.push_back(name);
+  for (const auto& [name, value] : solver_option_descriptions().values({})) names.push_back(name);
   EXPECT_EQ(names,
             (std::vector<std::string>{"order", "formulation", "monomials", "equation", "tail",
                                       "tolerance", "accuracy", "max_seconds", "max_iterations"}));
@@ -68,19 +73,21 @@ TEST(ClosureOptions, HaveTheNamesOfTheFiles) {
 
 TEST(ClosureOptions, OnTheCommandLineTheEquationIsOneThatAClosureMaySolve) {
   ClosureOptions options;
-  const auto& equation = *description().find("equation");
+  const auto& equation = *solver_option_descriptions().find("equation");
   for (const char* word : {"white", "km4", "kf", "auto"}) {
-    EXPECT_NO_THROW(description().parse(options, equation, word, "--equation")) << word;
+    EXPECT_NO_THROW(solver_option_descriptions().parse(options, equation, word, "--equation"))
+        << word;
   }
   EXPECT_FALSE(options.equation.has_value());
-  EXPECT_THROW(description().parse(options, equation, "km4-pade", "--equation"), InputError);
+  EXPECT_THROW(solver_option_descriptions().parse(options, equation, "km4-pade", "--equation"),
+               InputError);
 }
 
 TEST(ClosureOptions, AutomaticIsTheUsualEquationOfTheFormulation) {
-  EXPECT_EQ(effective_equation({}), DensityEquation::km4);
-  EXPECT_EQ(effective_equation({.formulation = Formulation::moment}), DensityEquation::kf);
-  EXPECT_EQ(effective_equation({.formulation = Formulation::polar}), DensityEquation::kf);
-  EXPECT_EQ(effective_equation({.equation = DensityEquation::white}), DensityEquation::white);
+  EXPECT_EQ(closure_density_equation({}), DensityEquation::km4);
+  EXPECT_EQ(closure_density_equation({.formulation = Formulation::moment}), DensityEquation::kf);
+  EXPECT_EQ(closure_density_equation({.formulation = Formulation::polar}), DensityEquation::kf);
+  EXPECT_EQ(closure_density_equation({.equation = DensityEquation::white}), DensityEquation::white);
 }
 
 TEST(ClosureOptions, AreNamedByFormulationVariantAndOrder) {
@@ -111,7 +118,7 @@ TEST(ClosureOptions, SurviveARoundTripThroughTheirId) {
     EXPECT_EQ(solution_id(*again), solution_id(options));
     EXPECT_EQ(again->formulation, options.formulation);
     EXPECT_EQ(again->tail, options.tail);
-    EXPECT_EQ(effective_equation(*again), effective_equation(options));
+    EXPECT_EQ(closure_density_equation(*again), closure_density_equation(options));
     EXPECT_EQ(again->order, options.order);
     EXPECT_EQ(again->monomials, MonomialSet::point_symmetric);
   }

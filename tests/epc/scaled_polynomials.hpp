@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "epc/form/polynomial.hpp"
+#include "epc/form/exponent_polynomial.hpp"
 
 /// Polynomial exponents for tests, in a plane with a different standard deviation for each axis.
 namespace fpkcheck::tests {

@@ -17,7 +17,7 @@ TEST(Closure, HasTheIdentityOfItsOptions) {
     EXPECT_EQ(solution.identity, solution_identity(options)) << name;
     EXPECT_EQ(solution.id(), solution_id(options));
     EXPECT_GT(solution.seconds, 0);
-    EXPECT_EQ(solution.metrics, metrics(summary, solution.moments));
+    EXPECT_EQ(solution.metrics, solver_metrics(summary, solution.moments));
   }
 }
 

@@ -128,7 +128,7 @@ TEST(ClosureSummary, ACoefficientIsKnownToWhatItDoesToTheDensity) {
   summary.coefficients = {{2, 0, -0.5}, {1, 2, 0.1}, {0, 4, 1e-9}};
   const transform::Moments moments{.y2 = 4, .v2 = 0.25};
   const auto scale = [&](const char* path) {
-    const auto seen = metrics(summary, moments);
+    const auto seen = solver_metrics(summary, moments);
     EXPECT_EQ(find_metric(seen, path)->kind, SolverMetricKind::coefficient);
     return find_metric(seen, path)->min_scale * 50e-8;
   };

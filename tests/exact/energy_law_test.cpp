@@ -60,7 +60,7 @@ TEST(EnergyLaw, IsTheSameInWallCoordinates) {
   const auto seen = tests::in_wall_coordinates(p);
   const EnergyLaw here(p), there(seen);
   for (const double y : {-1.0, 0.2, 0.45}) {
-    EXPECT_NEAR(here(y, 0.3), there(seen.frame.wall_x(y), -0.3), 1e-12);
+    EXPECT_NEAR(here(y, 0.3), there(seen.frame.wall_coordinate(y), -0.3), 1e-12);
   }
   EXPECT_EQ(here(0.51, 0), 0);
 }

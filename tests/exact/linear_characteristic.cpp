@@ -56,7 +56,7 @@ double chebyshev_interpolant(const std::array<double, Points>& values, double x)
 LinearCharacteristicFunction::LinearCharacteristicFunction(const problem::Problem& problem)
     : system_(require_linear_and_symmetric(problem).system),
       impulses_(problem.impulses),
-      scale_(impulses_.amplitude_law().deviation()) {
+      scale_(impulses_.amplitude_law().amplitude_standard_deviation()) {
   tabulate();
 }
 

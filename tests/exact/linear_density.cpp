@@ -34,8 +34,9 @@ double range(const problem::Problem& problem, double u1, double u2, double proba
     const DecayingWave wave = impulse_response(problem.system, theta * u1, theta * u2);
     if (!std::isfinite(moment_generating_function(law, wave.peak()))) return smallest;
     const auto excess = [&](double a) { return moment_generating_function(law, a) - 1; };
-    const double exponent = problem.impulses.arrival_rate() *
-                            integrate_along_wave(wave, excess, law.deviation(), HUGE_VAL);
+    const double exponent =
+        problem.impulses.arrival_rate() *
+        integrate_along_wave(wave, excess, law.amplitude_standard_deviation(), HUGE_VAL);
     const double bound = (exponent - std::log(probability / 2)) / theta;
     if (bound > smallest) return smallest;
     smallest = bound;

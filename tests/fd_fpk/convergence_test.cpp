@@ -11,7 +11,7 @@
 #include "exact/linear_density.hpp"
 #include "fd_fpk/linear/gmres.hpp"
 #include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
 #include "fd_fpk/solve.hpp"
 #include "paper_cases.hpp"
 #include "thorough.hpp"
@@ -62,9 +62,9 @@ struct Solved {
 Solved stationary(const problem::Problem& p, DensityEquation equation, int order, int nx, int nv,
                   double x1_max, double x2_max) {
   PhasePlaneGrid grid = make_grid(nx, nv, x1_max, x2_max);
-  const DiscreteExcitation excitation = equation == DensityEquation::kf
-                                            ? jump_excitation(p.impulses, grid.x2)
-                                            : white_noise_excitation(p.impulses);
+  const DiscretisedExcitation excitation = equation == DensityEquation::kf
+                                               ? jump_excitation(p.impulses, grid.x2)
+                                               : white_noise_excitation(p.impulses);
   const auto op = fokker_planck_operator(p.system, excitation, ImpactCondition::map, grid, order);
   Preconditioner preconditioner(p, excitation, ImpactCondition::map, grid);
   auto solution =
@@ -165,7 +165,7 @@ TEST_P(ObservedOrder, AManufacturedDensityWithLossesHasTheOrderOfTheScheme) {
     const Manufactured exact{p.system, p.impulses.intensity() / 2};
     const auto error = [&](int nx) {
       const PhasePlaneGrid grid = make_grid(nx, 4 * nx, 5.0, 5.5);
-      const DiscreteExcitation excitation = white_noise_excitation(p.impulses);
+      const DiscretisedExcitation excitation = white_noise_excitation(p.impulses);
       const auto op =
           fokker_planck_operator(p.system, excitation, ImpactCondition::map, grid, order);
       const Eigen::VectorXd density =

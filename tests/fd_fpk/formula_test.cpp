@@ -8,8 +8,8 @@
 
 #include "fd_fpk/applicability.hpp"
 #include "fd_fpk/axis/excitation.hpp"
-#include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
+#include "fd_fpk/operator/phase_plane_discretisation.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/solve.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
@@ -214,9 +214,10 @@ TEST(Formula, HasABoxThatAFinerGridDoesNotWiden) {
   options.order = kHighFiniteVolumeOrder;
   options.refinement = 0.6;
   options.wall_density *= box_edge_density_factor(p);
-  const PhasePlaneBox box = stationary_box(p, scales, options, base::Deadline::unlimited());
+  const PhasePlaneBox box =
+      stationary_box(p, scales, options, base::Deadline::without_time_limit());
   const DirectStationarySolution direct = compute_direct_solution(
-      p, {.scales = scales, .box = box}, options, base::Deadline::unlimited());
+      p, {.scales = scales, .box = box}, options, base::Deadline::without_time_limit());
   ASSERT_TRUE(direct.averages) << direct.failure;
   const PhasePlaneGrid& grid = direct.discretisation.grid;
   EXPECT_DOUBLE_EQ(grid.x1.faces().front(), box.x1_min);

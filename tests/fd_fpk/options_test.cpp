@@ -33,9 +33,14 @@ FiniteVolumeOptions changed() {
 }
 
 TEST(Options, RoundTripThroughTheirValues) {
-  const auto values = description().values(changed()), defaults = description().values({});
-  EXPECT_EQ(description().values(description().read(values, "options")), values);
-  EXPECT_EQ(description().values(description().read(defaults, "options")), defaults);
+  const auto values = solver_option_descriptions().values(changed()),
+             defaults = solver_option_descriptions().values({});
+  EXPECT_EQ(
+      solver_option_descriptions().values(solver_option_descriptions().read(values, "options")),
+      values);
+  EXPECT_EQ(
+      solver_option_descriptions().values(solver_option_descriptions().read(defaults, "options")),
+      defaults);
   for (std::size_t k = 0; k < values.size(); ++k) {
     if (values[k].name == "error_estimate") continue;
     EXPECT_NE(values[k].value, defaults[k].value)
@@ -48,8 +53,8 @@ TEST(Options, RoundTripThroughTheirValues) {
 
 TEST(Options, EquationsRoundTripThroughTheirNames) {
   for (const auto& [equation, name, meaning] : enumerator_names(DensityEquation{})) {
-    const auto values = description().values({.equation = equation});
-    EXPECT_EQ(description().read(values, "options").equation, equation) << name;
+    const auto values = solver_option_descriptions().values({.equation = equation});
+    EXPECT_EQ(solver_option_descriptions().read(values, "options").equation, equation) << name;
   }
 }
 
@@ -75,7 +80,7 @@ TEST(Options, HaveTheNamesOfFilesAndTheFlagsOfTheCommandLine) {
       {"tolerance", "tolerance"},
       {"residual_tolerance", "residual"}};
   std::vector<std::pair<std::string, std::string>> found;
-  for (const auto& parameter : description().parameters())
+  for (const auto& parameter : solver_option_descriptions().parameters())
     found.emplace_back(parameter.name, parameter.flag);
   EXPECT_EQ(found, expected);
 }

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "fd_fpk/applicability.hpp"
-#include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/parametric_exchange.hpp"
+#include "fd_fpk/operator/phase_plane_discretisation.hpp"
 #include "fd_fpk/solve.hpp"
 #include "general_oscillators.hpp"
 #include "problem/case_file.hpp"

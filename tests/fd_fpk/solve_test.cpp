@@ -70,12 +70,12 @@ TEST(Solve, StatesIdentityErrorsAndMetrics) {
                               .error_estimate = false};
   const auto plain = solve_stationary_density(p, options);
   EXPECT_EQ(plain.solution.identity, solution_identity(options));
-  EXPECT_EQ(plain.solution.metrics, metrics(plain.summary));
+  EXPECT_EQ(plain.solution.metrics, solver_metrics(plain.summary));
   EXPECT_FALSE(plain.solution.error);
   options.error_estimate = true;
   const auto [solution, summary] = solve_stationary_density(p, options);
   EXPECT_EQ(solution.identity, solution_identity(options));
-  EXPECT_EQ(solution.metrics, metrics(summary));
+  EXPECT_EQ(solution.metrics, solver_metrics(summary));
   ASSERT_TRUE(solution.error && summary.error);
   EXPECT_EQ(solution.error->y_l1, summary.error->y_l1);
   EXPECT_EQ(solution.error->ydot_l1, summary.error->ydot_l1);
@@ -87,7 +87,7 @@ TEST(Solve, StatesIdentityAndMetricsWithoutADensity) {
   const FiniteVolumeOptions literal{.equation = DensityEquation::km4, .regularisation_length = 0};
   const auto [solution, summary] = solve_stationary_density(tests::paper_case(1), literal);
   EXPECT_EQ(solution.id(), "fd-km4");
-  EXPECT_EQ(solution.metrics, metrics(summary));
+  EXPECT_EQ(solution.metrics, solver_metrics(summary));
   EXPECT_GT(*metric_number(solution.metrics, "growth_rate"), 1.0);
 }
 

@@ -45,13 +45,13 @@ const std::vector<std::string> kWithoutEstimate{"nx",
                                                 "order"};
 
 TEST(Summary, MetricsHaveTheOrderOfSummaryFiles) {
-  EXPECT_EQ(paths(metrics({})), kWithoutEstimate);
+  EXPECT_EQ(paths(solver_metrics({})), kWithoutEstimate);
   auto with_estimate = kWithoutEstimate;
   with_estimate.insert(with_estimate.end(),
                        {"error.impact_rate", "error.observed_order", "error.extrapolated.y1",
                         "error.extrapolated.y2", "error.extrapolated.y4", "error.extrapolated.v1",
                         "error.extrapolated.v2", "error.extrapolated.v4"});
-  EXPECT_EQ(paths(metrics({.error = DiscretisationErrorEstimate{}})), with_estimate);
+  EXPECT_EQ(paths(solver_metrics({.error = DiscretisationErrorEstimate{}})), with_estimate);
 }
 
 TEST(Summary, CharacteristicsHaveTheirOwnMetrics) {
@@ -59,14 +59,14 @@ TEST(Summary, CharacteristicsHaveTheirOwnMetrics) {
   summary.transport = TransportScheme::characteristics;
   summary.visits = 1000;
   summary.rest_mass = 0.25;
-  const auto all = metrics(summary);
+  const auto all = solver_metrics(summary);
   EXPECT_EQ(find_metric(all, "transport")->value, base::Value(std::string("characteristics")));
   EXPECT_EQ(find_metric(all, "visits")->kind, SolverMetricKind::work);
   EXPECT_EQ(metric_number(all, "rest_mass"), 0.25);
 }
 
 TEST(Summary, MetricsSeparateResultsFromWork) {
-  const auto all = metrics({.nx = 40, .steps = 5, .wall = {1e-9, 2e-9}});
+  const auto all = solver_metrics({.nx = 40, .steps = 5, .wall = {1e-9, 2e-9}});
   EXPECT_EQ(find_metric(all, "nx")->value, base::Value(std::int64_t{40}));
   EXPECT_EQ(find_metric(all, "nx")->kind, SolverMetricKind::result);
   EXPECT_EQ(find_metric(all, "steps")->value, base::Value(std::int64_t{5}));
@@ -87,7 +87,7 @@ TEST(Summary, MetricsSeparateResultsFromWork) {
 // is neither metric.
 TEST(Summary, AFiniteImpactRateHasAnError) {
   const auto of = [](double rate, double error) {
-    return metrics(
+    return solver_metrics(
         {.error = DiscretisationErrorEstimate{.impact_rate = error}, .impact_rate = rate});
   };
   const auto all = of(0.3, 2e-4);
@@ -99,7 +99,7 @@ TEST(Summary, AFiniteImpactRateHasAnError) {
 }
 
 TEST(Summary, ALimitIsComparedOnTheScaleOfItsMoment) {
-  const auto all = metrics(
+  const auto all = solver_metrics(
       {.error = DiscretisationErrorEstimate{
            .observed_order = 4.9, .extrapolated = {.y1 = 0.01, .y2 = 3, .v1 = 1e-8, .v2 = 2}}});
   EXPECT_TRUE(find_metric(all, "error.observed_order")->is_rounding_sensitive);

@@ -8,7 +8,7 @@
 #include "base/input_error.hpp"
 #include "dense_eigenvalues.hpp"
 #include "exact/linear_moments.hpp"
-#include "fd_fpk/operator/discretisation.hpp"
+#include "fd_fpk/operator/phase_plane_discretisation.hpp"
 #include "fd_fpk/solve.hpp"
 #include "paper_cases.hpp"
 

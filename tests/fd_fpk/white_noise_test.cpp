@@ -7,11 +7,11 @@
 
 #include "elastic_white_noise.hpp"
 #include "exact/wall_exponent.hpp"
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
 #include "fd_fpk/solve.hpp"
 #include "paper_cases.hpp"
 #include "thorough.hpp"
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 namespace fpkcheck::fd_fpk {
 namespace {

@@ -71,7 +71,7 @@ Bounded changed(Value f, const Bounded& a, const Bounded& b) {
   return Bounded::rounded(value, 4 * error, a.is_extreme || b.is_extreme);
 }
 
-Bounded apply(const problem::NamedFunction& f, const Bounded& a, const Bounded& b) {
+Bounded apply_named_function(const problem::NamedFunction& f, const Bounded& a, const Bounded& b) {
   return changed(f.value, a, f.arguments == 1 ? Bounded{} : b);
 }
 Bounded real_power(const Bounded& a, const Bounded& b) {

@@ -12,7 +12,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace fpkcheck;
   static const problem::Problem problem = problem::load_case("case1");
-  static const methods::DensityQuadratureGrid points(compare::comparison_axes(problem),
+  static const methods::DensityQuadratureGrid points(compare::comparison_bins(problem),
                                                      problem.system.walls());
   return fuzz::catch_input_errors([&] {
     const std::string text(fuzz::as_text(data, size));

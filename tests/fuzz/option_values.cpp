@@ -16,7 +16,7 @@ struct Setting {
 };
 
 template <class Owner>
-Owner parse_options(const base::Description<Owner>& description,
+Owner parse_options(const base::OptionsDescription<Owner>& description,
                     const std::vector<Setting>& settings) {
   Owner owner{};
   for (const auto& [name, text] : settings) {

@@ -6,7 +6,7 @@
 #include "exact/closed_forms.hpp"
 #include "exact/linear_density.hpp"
 #include "mcs/solve.hpp"
-#include "mcs/streams/stream.hpp"
+#include "mcs/streams/trajectory_stream.hpp"
 #include "paper_cases.hpp"
 #include "simulate_and_compare.hpp"
 #include "uniform_edges.hpp"

@@ -10,7 +10,7 @@
 #include "base/input_error.hpp"
 #include "general_oscillators.hpp"
 #include "mcs/applicability.hpp"
-#include "mcs/motion/advance.hpp"
+#include "mcs/motion/advance_trajectories.hpp"
 #include "mcs/motion/multiplicative_kick.hpp"
 #include "mcs/motion/taylor_flight.hpp"
 #include "mcs/simulation/checkpoint.hpp"
@@ -248,7 +248,8 @@ TEST(Formula, GivesTheSameBitsForAnyWidthAndInstructions) {
         EXPECT_EQ(a.branch.v, b.branch.v);
         EXPECT_EQ(a.record.powers, b.record.powers);
         EXPECT_EQ(a.record.force_v, b.record.force_v);
-        EXPECT_EQ(a.record.histogram.weights(), b.record.histogram.weights());
+        EXPECT_EQ(a.record.histogram.histogram_cell_weights(),
+                  b.record.histogram.histogram_cell_weights());
         EXPECT_EQ(a.record.flights, b.record.flights);
       }
     }
@@ -450,7 +451,7 @@ TEST(MultiplicativeNoise, GivesTheSameBitsForAnyWidthAndInstructions) {
       EXPECT_EQ(a.record.powers, b.record.powers);
       EXPECT_EQ(a.record.force_v, b.record.force_v);
       EXPECT_EQ(a.record.noise_factor, b.record.noise_factor);
-      EXPECT_EQ(a.record.left_energy, b.record.left_energy);
+      EXPECT_EQ(a.record.left_wall_squared_impact_speeds, b.record.left_wall_squared_impact_speeds);
       EXPECT_EQ(a.record.work, b.record.work);
     }
   }

@@ -111,7 +111,8 @@ TEST(SimulatedPassage, HasTheValuesOfAnIndependentMethodForAnEnergyBarrier) {
   expect(passage.mean_from_stationary, 42.142);
   expect(passage.probability_below, 0.89904);
   expect(passage.survival_from_stationary[0], 0.76107);
-  // Under noise the barrier is shifted for passages between kicks; the remaining error is not known.
+  // Under noise the barrier is shifted for passages between kicks; the remaining error is not
+  // known.
   const problem::Problem noisy =
       tests::with_noise(System({.damping = 0.1, .stiffness = 1}, {.none = true}), 0.1 / 1.7);
   const auto under_noise = estimate_passage(noisy, {.time = 2e5}, energy(0.5), {10});

@@ -73,19 +73,23 @@ TEST(Options, ComeBackFromTheirValues) {
                                   .white_step = 0.04,
                                   .tails = true,
                                   .controlled = true};
-  const auto values = description().values(changed);
-  const auto usual = description().values({});
+  const auto values = solver_option_descriptions().values(changed);
+  const auto usual = solver_option_descriptions().values({});
   ASSERT_EQ(values.size(), usual.size());
   for (std::size_t k = 0; k < values.size(); ++k) {
     EXPECT_NE(values[k].value, usual[k].value) << values[k].name;
   }
-  EXPECT_EQ(description().values(description().read(values, "options")), values);
-  EXPECT_EQ(description().values(description().read(usual, "options")), usual);
+  EXPECT_EQ(
+      solver_option_descriptions().values(solver_option_descriptions().read(values, "options")),
+      values);
+  EXPECT_EQ(
+      solver_option_descriptions().values(solver_option_descriptions().read(usual, "options")),
+      usual);
 }
 
 TEST(Options, HaveTheNamesAndFlagsOfFilesAndTheCommandLine) {
   std::vector<std::string> names, flags;
-  for (const auto& parameter : description().parameters()) {
+  for (const auto& parameter : solver_option_descriptions().parameters()) {
     names.push_back(parameter.name);
     flags.push_back(parameter.flag);
     EXPECT_FALSE(parameter.help.empty()) << parameter.name;
@@ -102,7 +106,8 @@ TEST(Options, OfTheCommandLineAreRefusedByTheirFlag) {
   const auto refusal = [](const char* name, const char* text) -> std::string {
     SimulationOptions options;
     return tests::refusal([&] {
-      description().parse(options, *description().find(name), text, std::string("--") + name);
+      solver_option_descriptions().parse(options, *solver_option_descriptions().find(name), text,
+                                         std::string("--") + name);
     });
   };
   EXPECT_EQ(refusal("seed", "-1"), "--seed -1 (must be zero or positive)");

@@ -31,7 +31,7 @@ struct NullObserver {
 class Trajectory {
  public:
   /// @param step longest flight, in radians of the local frequency, below pi
-  /// (DuffingFlight::max_step)
+  /// (DuffingFlight::max_flight_duration)
   Trajectory(const mcs::SimulatedOscillator& oscillator, mcs::ImpulseSource source,
              const mcs::OscillatorState& start, double step)
       : oscillator_(oscillator),
@@ -50,7 +50,7 @@ class Trajectory {
     while (duration > 0) {
       if (state_.y <= 0 && state_.v < 0) apply_impact(observer);
       const Flight flight(oscillator_, state_);
-      double span = std::min({flight.max_step(step_), next_.waiting_time, duration});
+      double span = std::min({flight.max_flight_duration(step_), next_.waiting_time, duration});
       mcs::OscillatorState end = flight.state_at_time(span);
       const bool impact = end.y < 0 && state_.y > 0;
       if (impact) {

@@ -171,7 +171,7 @@ TEST(Solve, FillsInTheSolutionAndTheSummary) {
   EXPECT_EQ(result.solution.identity, solution_identity(SimulationOptions{}));
   EXPECT_EQ(result.solution.status, transform::Status::ok);
   EXPECT_GT(result.solution.seconds, 0.0);
-  EXPECT_EQ(result.solution.metrics, metrics(result.summary));
+  EXPECT_EQ(result.solution.metrics, solver_metrics(result.summary));
   EXPECT_GT(result.solution.standard_errors->moments.y2, 0);
   EXPECT_GT(*result.solution.sampling->ydot_99, *result.solution.sampling->ydot);
   EXPECT_TRUE(result.summary.warnings.empty());
@@ -270,7 +270,7 @@ TEST(Solve, ProcessesThatShareTheStreamsGiveTheSameBits) {
 TEST(Solve, ProcessesThatShareTheStreamsNeedAFixedTime) {
   SimulationOptions options{.target_error = 1e-3};
   options.process_group.parts = 2;
-  EXPECT_THROW(require_solvable(tests::paper_case(1), options), InputError);
+  EXPECT_THROW(require_valid_simulation(tests::paper_case(1), options), InputError);
 }
 
 }  // namespace

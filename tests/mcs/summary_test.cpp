@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "mcs/streams/stream.hpp"
+#include "mcs/streams/trajectory_stream.hpp"
 
 namespace fpkcheck::mcs {
 namespace {
@@ -36,7 +36,7 @@ const SolverMetric& metric_at_path(const Metrics& all, const std::string& path) 
 // Each metric with a standard_error_path is a number, and its standard error is a metric at this
 // path.
 TEST(Summary, RandomResultsHaveStandardErrors) {
-  const auto all = metrics(made_up_summary());
+  const auto all = solver_metrics(made_up_summary());
   int with_error = 0;
   for (const auto& observation : all) {
     if (observation.standard_error_path.empty()) continue;
@@ -61,7 +61,7 @@ TEST(Summary, RandomResultsHaveStandardErrors) {
 
 TEST(Summary, HasTheFieldsOfFilesInTheirOrder) {
   std::vector<std::string> fields;
-  for (const auto& observation : metrics(made_up_summary())) {
+  for (const auto& observation : solver_metrics(made_up_summary())) {
     const std::string field = observation.path.substr(0, observation.path.find_first_of(".["));
     if (fields.empty() || fields.back() != field) fields.push_back(field);
   }
@@ -91,16 +91,16 @@ TEST(Summary, HasTheFieldsOfFilesInTheirOrder) {
                                               "upcrossings",
                                               "peaks",
                                               "splitting_thresholds"}));
-  EXPECT_EQ(metric_at_path(metrics(made_up_summary()), "quantiles.ydot[]").kind,
+  EXPECT_EQ(metric_at_path(solver_metrics(made_up_summary()), "quantiles.ydot[]").kind,
             SolverMetricKind::result);
-  EXPECT_EQ(metric_at_path(metrics(made_up_summary()), "joint_moments[7].y").value,
+  EXPECT_EQ(metric_at_path(solver_metrics(made_up_summary()), "joint_moments[7].y").value,
             transform::value_from_count(1));
-  EXPECT_EQ(metric_at_path(metrics(made_up_summary()), "joint_moments[7].v").value,
+  EXPECT_EQ(metric_at_path(solver_metrics(made_up_summary()), "joint_moments[7].v").value,
             transform::value_from_count(2));
 }
 
 TEST(Summary, HasTheKindsOfItsMetrics) {
-  const auto all = metrics(made_up_summary());
+  const auto all = solver_metrics(made_up_summary());
   for (const char* path : {"time", "samples", "threads", "seed", "impulses", "flights", "rounds",
                            "outside", "variance_reduction.y2", "variance_reduction.v2",
                            "splitting_thresholds[1]", "quantiles.y[0].lower"}) {
@@ -113,7 +113,7 @@ TEST(Summary, HasTheKindsOfItsMetrics) {
                            "kick_interval", "peaks[0].level", "quantiles.y[0].probability"}) {
     EXPECT_EQ(metric_at_path(all, path).kind, SolverMetricKind::result) << path;
   }
-  const auto without = metrics({});
+  const auto without = solver_metrics({});
   EXPECT_TRUE(base::is_unset(metric_at_path(without, "kick_interval").value));
   EXPECT_EQ(metric_at_path(without, "splitting_thresholds[]").kind, SolverMetricKind::work);
 }

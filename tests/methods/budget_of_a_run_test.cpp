@@ -36,7 +36,7 @@ const std::vector<transform::Solution>& without_simulation() {
 
 results::CaseResult case_1(bool controlled) {
   const auto problem = tests::paper_case(1);
-  const auto axes = compare::comparison_axes(problem);
+  const auto axes = compare::comparison_bins(problem);
   const auto simulation = builtin_registry()
                               .methods_selected_by_list("mcs", {{"time", controlled ? 3e6 : 2e5},
                                                                 {"controlled", controlled}})
@@ -56,7 +56,7 @@ TEST(BudgetOfARun, EndsWithTheMeasuredDiscretisation) {
     EXPECT_EQ(row.parts.size(), row.solution == "epc-moment-n8" ? 2u : 4u) << row.solution;
     EXPECT_EQ(row.reference, "mcs");
     const auto& last = row.parts.back();
-    EXPECT_EQ(last.part_name(), "discretisation");
+    EXPECT_EQ(last.error_budget_part_name(), "discretisation");
     EXPECT_EQ(last.from, "fd-kf");
     EXPECT_LT(*last.standard_error, 0.1 * last.l1);
     // The error estimate of fd-kf, from the same grids and without simulation.
@@ -74,10 +74,11 @@ TEST(BudgetOfARun, IsBoundedByItsPartsInEveryRow) {
     const bool moment = row.solution == "epc-moment-n8";
     EXPECT_EQ(row.parts.size(), moment ? 3u : 5u) << row.solution;
     for (const auto& part : row.parts) {
-      if (part.part_name() == "sampling") {
+      if (part.error_budget_part_name() == "sampling") {
         EXPECT_LT(part.l1, 1.5 * part.quantile_99.value());
-      } else if (part.part_name() != "discretisation") {
-        EXPECT_GT(part.l1, part.uncertainty.value()) << row.solution << " " << part.part_name();
+      } else if (part.error_budget_part_name() != "discretisation") {
+        EXPECT_GT(part.l1, part.uncertainty.value())
+            << row.solution << " " << part.error_budget_part_name();
       }
     }
   }

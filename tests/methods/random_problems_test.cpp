@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "compare/comparison_axes.hpp"
+#include "compare/comparison_bins.hpp"
 #include "mcs/solve.hpp"
 #include "methods/builtin_solvers.hpp"
 #include "methods/run_cases.hpp"
@@ -32,7 +32,7 @@ TEST(RandomProblems, SolutionsAreWithinTheirErrorEstimates) {
   for (const std::uint64_t number : numbers) {
     const auto p = tests::random_problem(number);
     SCOPED_TRACE(p.name + ": " + problem::non_default_parameters_text(p));
-    const auto axes = compare::undivided_axes(compare::comparison_axes(p));
+    const auto axes = compare::undivided_comparison_bins(compare::comparison_bins(p));
     const double decay = problem::slowest_decay_rate(problem::equivalent_linearisation(p));
     const auto judge =
         mcs::simulate_stationary_density(
@@ -78,7 +78,7 @@ TEST(RandomProblems, DividedBinsCloseToRestAreAccurate) {
     if (number != 115 && !tests::is_thorough()) continue;
     const auto p = tests::random_problem(number);
     SCOPED_TRACE(p.name + ": " + problem::non_default_parameters_text(p));
-    const auto axes = compare::comparison_axes(p);
+    const auto axes = compare::comparison_bins(p);
     ASSERT_GT(axes.divisions, 0);
     const double decay = problem::slowest_decay_rate(problem::equivalent_linearisation(p));
     const auto judge =

@@ -54,7 +54,7 @@ TEST(SolverRegistry, UnknownMethodsAreRefused) {
 
 TEST(SolverRegistry, SolutionsHaveTheIdentityOfTheirMethod) {
   const auto problem = tests::paper_case(1);
-  const auto axes = compare::comparison_axes(problem);
+  const auto axes = compare::comparison_bins(problem);
   for (const auto& method : builtin_registry().methods_selected_by_list(
            "epc-gaussian-n2,epc-gaussian-white-n4,epc-moment-n4,epc-moment-cut-n2,fd-white,mcs",
            {{"time", 5000.0}})) {
@@ -71,7 +71,7 @@ TEST(SolverRegistry, SolutionsHaveTheIdentityOfTheirMethod) {
 
 TEST(SolverRegistry, SimulationUsesTheComparisonAxes) {
   const auto problem = tests::paper_case(1);
-  const auto axes = compare::comparison_axes(problem);
+  const auto axes = compare::comparison_bins(problem);
   const auto solution =
       builtin_registry().find_method_by_id("mcs", {{"time", 5000.0}})->solve(problem, {axes, {}});
   const auto m = marginal(solution, transform::StateVariable::y, axes.y_edges);

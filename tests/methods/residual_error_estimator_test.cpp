@@ -23,13 +23,13 @@ using transform::Status;
 
 Solution solved(const std::string& id, const base::Values& given = {}) {
   const auto p = tests::paper_case(1);
-  const auto axes = compare::comparison_axes(p);
+  const auto axes = compare::comparison_bins(p);
   return solve_with_method(*builtin_registry().find_method_by_id(id, given), p, {axes, {}});
 }
 
 TEST(ResidualErrorEstimate, AgreesWithTheDistanceFromTheJumpEquation) {
   const auto p = tests::paper_case(1);
-  const auto axes = compare::comparison_axes(p);
+  const auto axes = compare::comparison_bins(p);
   const auto reference = solved("fd-kf");
   // The errors are between 0.25 and 0.01 per cent and include the error of the model.
   for (const char* id : {"epc-gaussian-n2", "epc-gaussian-n4", "epc-moment-n4", "epc-moment-n8",
@@ -173,7 +173,7 @@ TEST(ResidualErrorEstimate, IsReplacedByTheDistanceFromTheReference) {
   const ResidualErrorEstimator residuals(wells.problem);
   set_residual_error_estimate(residuals, 0.02, solutions[0]);
   ASSERT_EQ(solutions[0].status, Status::inaccurate);
-  complete_error_estimates(methods, compare::comparison_axes(wells.problem), residuals, solutions);
+  complete_error_estimates(methods, compare::comparison_bins(wells.problem), residuals, solutions);
   EXPECT_EQ(solutions[0].status, Status::ok) << solutions[0].reason;
   EXPECT_EQ(solutions[0].reason, "");
   ASSERT_TRUE(solutions[0].error);

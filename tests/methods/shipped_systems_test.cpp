@@ -23,7 +23,7 @@ Solution solved(const problem::Problem& problem, const std::string& id,
                 const base::Values& options = {}) {
   const auto registry = builtin_registry();
   const auto method = registry.methods_selected_by_list(id, options).front();
-  return solve_with_method(method, problem, {compare::comparison_axes(problem), {}});
+  return solve_with_method(method, problem, {compare::comparison_bins(problem), {}});
 }
 
 class ExactSystems : public testing::TestWithParam<const char*> {};
@@ -33,7 +33,7 @@ TEST_P(ExactSystems, AreSolvedByFiniteVolumes) {
   const Solution solution = solved(problem, "fd-kf");
   ASSERT_TRUE(solution.has_status_ok()) << solution.reason;
   const exact::EnergyLaw law(problem);
-  const auto axes = compare::comparison_axes(problem);
+  const auto axes = compare::comparison_bins(problem);
   for (const auto variable : transform::kVariables) {
     const auto marginal =
         transform::marginal(solution, variable, comparison_bin_edges(axes, variable));
@@ -108,7 +108,7 @@ TEST_P(OtherSystems, AgreeBetweenFiniteVolumesAndSimulation) {
   ASSERT_TRUE(differences.has_status_ok()) << differences.reason;
   const Solution simulated = solved(problem, "mcs", {{"seed", std::int64_t{7}}, {"time", 4e5}});
   ASSERT_TRUE(simulated.has_status_ok()) << simulated.reason;
-  const auto axes = compare::comparison_axes(problem);
+  const auto axes = compare::comparison_bins(problem);
   for (const auto variable : transform::kVariables) {
     const auto& bins = comparison_bin_edges(axes, variable);
     const double l1 = transform::l1_distance(transform::marginal(differences, variable, bins),

@@ -20,7 +20,7 @@ using transform::Status;
 
 Solution solution_without_estimate(const problem::Problem& problem) {
   const Method method = *builtin_registry().find_method_by_id("epc-polar-n4", {});
-  const auto axes = compare::comparison_axes(problem);
+  const auto axes = compare::comparison_bins(problem);
   auto solution = solve_with_method(method, problem, {axes, {}});
   solution.error = {};
   return solution;

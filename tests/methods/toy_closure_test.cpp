@@ -9,16 +9,16 @@
 #include "methods/run_cases.hpp"
 #include "paper_cases.hpp"
 #include "problem/equivalent_linearisation.hpp"
-#include "report/report.hpp"
 #include "report/terminal_tables.hpp"
+#include "report/write_report.hpp"
 #include "results/run.hpp"
 #include "results/saved_run.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 #include "workflows/check/baseline.hpp"
 #include "workflows/check/compare_runs.hpp"
-#include "workflows/study/closure_order.hpp"
+#include "workflows/study/closure_order_study.hpp"
 
 /// A method from outside the source tree. Its registry entry alone adds the method to every table,
 /// figure and file, to the error budget, the study of orders and the regression test.
@@ -32,9 +32,9 @@ struct Bell {
   double stretch = 1;
 };
 
-const base::Description<Bell>& bell_description() {
+const base::OptionsDescription<Bell>& bell_description() {
   static const auto description =
-      base::Description<Bell>("bell ")
+      base::OptionsDescription<Bell>("bell ")
           .add("order", &Bell::order, {"N", "the higher, the narrower"},
                base::even_integers_between(2, 8))
           .add("stretch", &Bell::stretch, {"S", "in y"}, base::positive_numbers());
@@ -140,7 +140,7 @@ TEST_F(ToyClosure, AppearsInTableFindingsAndErrorBudget) {
   EXPECT_TRUE(contains(table, "kf/map")) << table;
   ASSERT_EQ(case_.budget.size(), 6u);
   EXPECT_EQ(case_.budget[2].solution, "toy-bell-n2");
-  EXPECT_EQ(case_.budget[2].parts.front().part_name(), "closure");
+  EXPECT_EQ(case_.budget[2].parts.front().error_budget_part_name(), "closure");
   const std::string limits = results::limiting_errors_text(case_);
   EXPECT_TRUE(contains(limits, "toy-bell-n2 and -n4")) << limits;
 }
@@ -181,7 +181,7 @@ TEST_F(ToyClosure, IsCheckedForChanges) {
   auto& width = again.cases[0].solutions[1].metrics[0];
   ASSERT_EQ(width.path, "width.y");
   width.value = std::get<double>(width.value) * (1 + 1e-6);
-  const auto moved = check::compare_runs(baseline.run, again, {}).changed_quantities();
+  const auto moved = check::compare_runs(baseline.run, again, {}).quantities_beyond_tolerance();
   ASSERT_EQ(moved.size(), 1u);
   EXPECT_EQ(moved[0].solution, "toy-bell-n2");
   // Without the registry entry the solution cannot be solved again.

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <vector>
 
-#include "numerics/interpolation.hpp"
+#include "numerics/chebyshev_interpolation.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "numerics/roots/bracketed_root.hpp"
 #include "numerics/statistics.hpp"

@@ -118,10 +118,11 @@ TEST_F(TableOfACase, IsShiftedAndScaledToWhatIsGiven) {
   write("mine.ini", std::string(kSystem) + "table = kicks.csv\nmean = 0\n");
   const Problem shifted = load_case(file("mine.ini"));
   EXPECT_EQ(shifted.impulses.amplitude_law().mean(), 0);
-  EXPECT_NEAR(shifted.impulses.amplitude_law().deviation(), std::sqrt(1 / 18.0), 1e-15);
+  EXPECT_NEAR(shifted.impulses.amplitude_law().amplitude_standard_deviation(), std::sqrt(1 / 18.0),
+              1e-15);
   const Problem scaled =
       load_case(file("mine.ini"), {"impulse.intensity=8"}, CaseNamingRule::with_overrides);
-  EXPECT_NEAR(scaled.impulses.amplitude_law().deviation(), 2, 1e-15);
+  EXPECT_NEAR(scaled.impulses.amplitude_law().amplitude_standard_deviation(), 2, 1e-15);
   EXPECT_NEAR(scaled.impulses.amplitude_law().skewness(),
               shifted.impulses.amplitude_law().skewness(), 1e-13);
   EXPECT_EQ(scaled.name, "mine, lambda E[Y^2] = 8");

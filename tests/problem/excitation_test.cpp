@@ -29,7 +29,9 @@ TEST(ImpulseTrain, EveryLawIsGivenTheIntensityAndTheMean) {
     EXPECT_EQ(impulses.amplitude_law().name(), name);
     EXPECT_NEAR(impulses.intensity(), 0.6, 1e-15) << name;
     EXPECT_NEAR(impulses.rate_times_moment(1), 0.6, 1e-15) << name;
-    EXPECT_NEAR(impulses.amplitude_law().deviation(), std::sqrt(0.3 - 0.09), 1e-15) << name;
+    EXPECT_NEAR(impulses.amplitude_law().amplitude_standard_deviation(), std::sqrt(0.3 - 0.09),
+                1e-15)
+        << name;
   }
 }
 

@@ -50,7 +50,7 @@ TEST(NoiseFactor, OfTheDisplacementChangesNoForce) {
       case_of_formulas(kLinearSpring + "[wall]\nnone = true\n[noise]\nintensity = 0.2\n" +
                        "factor = sqrt(1+y^2)\ninterpretation = stratonovich\n");
   EXPECT_TRUE(p.system.has_polynomial_force());
-  EXPECT_NEAR(p.noise_factor->squared_factor(2, 1), 5, 1e-15);
+  EXPECT_NEAR(p.noise_factor->squared_noise_factor(2, 1), 5, 1e-15);
   EXPECT_FALSE(polynomial_method_unsupported_reason(p).empty());
 }
 
@@ -82,8 +82,8 @@ TEST(NoiseFactor, IsTransformedToWallCoordinates) {
   ASSERT_NEAR(y, -0.2, 1e-15);
   ASSERT_NEAR(physical_v, 0.4, 1e-15);
   EXPECT_NEAR((*seen.noise_factor)(x, v), (*p.noise_factor)(y, physical_v), 1e-15);
-  EXPECT_NEAR(seen.noise_factor->squared_factor_slope_in_v(x, v),
-              -p.noise_factor->squared_factor_slope_in_v(y, physical_v), 1e-15);
+  EXPECT_NEAR(seen.noise_factor->squared_noise_factor_slope_in_v(x, v),
+              -p.noise_factor->squared_noise_factor_slope_in_v(y, physical_v), 1e-15);
   EXPECT_NEAR(seen.system.force(x, v), -p.system.force(y, physical_v), 1e-15);
 }
 

@@ -77,7 +77,8 @@ TEST(ImpulseLaw, MomentsAreThoseOfDensityAndAtoms) {
 TEST(ImpulseLaw, MeanAndDeviationAreThoseOfTheMoments) {
   for (const auto& law : kLaws) {
     EXPECT_EQ(law.mean(), law.moment(1)) << label(law);
-    EXPECT_NEAR(law.deviation(), std::sqrt(law.moment(2) - law.moment(1) * law.moment(1)), 1e-15)
+    EXPECT_NEAR(law.amplitude_standard_deviation(),
+                std::sqrt(law.moment(2) - law.moment(1) * law.moment(1)), 1e-15)
         << label(law);
   }
 }
@@ -130,7 +131,8 @@ TEST(ImpulseLaw, TheMirroredLawIsThatOfTheOtherSign) {
   for (const auto& law : kLaws) {
     const ImpulseLaw mirrored = law.with_negated_amplitudes();
     EXPECT_EQ(mirrored.name(), law.name());
-    EXPECT_EQ(mirrored.deviation(), law.deviation()) << label(law);
+    EXPECT_EQ(mirrored.amplitude_standard_deviation(), law.amplitude_standard_deviation())
+        << label(law);
     EXPECT_EQ(mirrored.is_symmetric(), law.is_symmetric());
     for (int j = 0; j < kMomentCount; ++j) {
       EXPECT_EQ(mirrored.moment(j), (j % 2 == 0 ? 1 : -1) * law.moment(j)) << label(law);
@@ -157,7 +159,7 @@ TEST(ImpulseLaw, TheMirroredLawIsThatOfTheOtherSign) {
 TEST(ImpulseLaw, SymmetricLawsAloneHaveNoSkewness) {
   for (const auto& law : kLaws) {
     EXPECT_EQ(law.is_symmetric(), law.skewness() == 0) << label(law);
-    const double m = law.mean(), s = law.deviation();
+    const double m = law.mean(), s = law.amplitude_standard_deviation();
     const double third = law.moment(3) - 3 * m * law.moment(2) + 2 * m * m * m;
     EXPECT_NEAR(law.skewness(), third / (s * s * s), 1e-13) << label(law);
   }

@@ -107,7 +107,7 @@ TEST(UnsupportedFeature, IsRecognisedInKeysAndCommands) {
 
 // No key of the program is reported as unsupported.
 TEST(UnsupportedFeature, MatchesNoKeyOfTheProgram) {
-  for (const base::DescriptionBase* section : case_section_descriptions()) {
+  for (const base::OptionsDescriptionBase* section : case_section_descriptions()) {
     for (const auto& parameter : section->parameters()) {
       EXPECT_EQ(unsupported_feature_message(section->prefix() + parameter.name), "")
           << parameter.name;

@@ -17,7 +17,8 @@ const std::string kLinear = "[system]\ndamping = 0.1\nstiffness = 1\n[wall]\nnon
 const std::string kImpulses = "[impulse]\nrate = 2\nlaw = laplace\nintensity = 0.4\n";
 const std::string kNoise = "[noise]\nintensity = 0.2\n";
 
-Problem read(const std::string& text, TimeSectionPolicy time = TimeSectionPolicy::allowed) {
+Problem read(const std::string& text,
+             CaseFileTimeSectionPolicy time = CaseFileTimeSectionPolicy::allowed) {
   std::istringstream file(text);
   return read_case(file, "a", "a.ini", {}, CaseNamingRule::from_file, time);
 }
@@ -31,7 +32,7 @@ TEST(TimeDependence, IsReadFromACaseFile) {
   EXPECT_DOUBLE_EQ(p.time.intensity_factor(0.7), std::exp(-0.7));
   EXPECT_DOUBLE_EQ(p.time.external_force(0.7), 0.3 * std::cos(1.4));
   const Problem again =
-      problem_from_sections("a", case_file_sections(p), TimeSectionPolicy::allowed);
+      problem_from_sections("a", case_file_sections(p), CaseFileTimeSectionPolicy::allowed);
   EXPECT_DOUBLE_EQ(again.time.external_force(0.7), p.time.external_force(0.7));
 }
 
@@ -44,8 +45,9 @@ TEST(TimeDependence, OfAConstantExcitationIsAbsent) {
 }
 
 TEST(TimeDependence, HasNoStationaryDensity) {
-  EXPECT_THROW(read(kLinear + kImpulses + "[time]\nforce = cos(t)\n", TimeSectionPolicy::refused),
-               InputError);
+  EXPECT_THROW(
+      read(kLinear + kImpulses + "[time]\nforce = cos(t)\n", CaseFileTimeSectionPolicy::refused),
+      InputError);
 }
 
 TEST(TimeDependence, RefusesFactorsOfAbsentExcitationsAndOtherVariables) {

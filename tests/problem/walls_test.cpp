@@ -103,7 +103,7 @@ TEST(WallFrame, OfARightWallAloneIsMirrored) {
   }
   EXPECT_EQ(seen.impulses.amplitude_law().mean(), -0.3);
   EXPECT_EQ(seen.frame.physical_y(0.5), 1.5);
-  EXPECT_EQ(seen.frame.wall_x(1.5), 0.5);
+  EXPECT_EQ(seen.frame.wall_coordinate(1.5), 0.5);
   EXPECT_EQ(seen.frame.physical_velocity(1), -1);
 }
 
@@ -133,7 +133,7 @@ TEST(WallFrame, InverseRoundTrips) {
     const WallFrame back = frame.inverse_frame();
     for (const double x : {0.0, 0.3, 1.7}) {
       EXPECT_NEAR(back.physical_y(frame.physical_y(x)), x, 1e-15);
-      EXPECT_NEAR(back.wall_x(x), frame.physical_y(x), 1e-15);
+      EXPECT_NEAR(back.wall_coordinate(x), frame.physical_y(x), 1e-15);
       EXPECT_EQ(back.physical_velocity(frame.physical_velocity(x)), x);
     }
     EXPECT_EQ(back.is_identity(), frame.is_identity());

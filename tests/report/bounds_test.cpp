@@ -27,7 +27,7 @@ TEST(BoundsFindings, ComeFirstAndNameApproximationsOutside) {
   auto case_result = bounded_case();
   solution_of(case_result, "fd-white").moments.y2 += 0.01;
   solution_of(case_result, "fd-white").moments.v2 += 0.01;
-  const auto all = finding_sentences(case_result);
+  const auto all = case_finding_sentences(case_result);
   EXPECT_TRUE(all.at(0).starts_with("Guaranteed bounds: E[y^2] in [")) << all[0];
   EXPECT_TRUE(contains(all[0], "fd-white")) << all[0];
   EXPECT_EQ(all[0].find("fd-white"), all[0].rfind("fd-white"));
@@ -39,10 +39,11 @@ TEST(BoundsFindings, CallASolutionWrongOutsideItsStatedError) {
   auto& kf = solution_of(case_result, "fd-kf");
   kf.moments.y2 += 3e-4;
   kf.error.emplace().moments.y2 = 1e-4;
-  EXPECT_TRUE(
-      finding_sentences(case_result).at(0).starts_with("OUTSIDE THE BOUNDS: fd-kf (full problem"));
+  EXPECT_TRUE(case_finding_sentences(case_result)
+                  .at(0)
+                  .starts_with("OUTSIDE THE BOUNDS: fd-kf (full problem"));
   kf.error->moments.y2 = 3e-4;
-  EXPECT_FALSE(contains(finding_sentences(case_result).at(0), "OUTSIDE"));
+  EXPECT_FALSE(contains(case_finding_sentences(case_result).at(0), "OUTSIDE"));
 }
 
 TEST(BoundsFindings, StateTheReasonWithoutBounds) {

@@ -12,7 +12,7 @@ namespace fpkcheck::tests {
 /// @param equation id of fd-kf in the case
 inline results::CaseResult case_with_sources(const std::string& equation = "fd-kf") {
   auto case_result = made_up_case();
-  const auto axes = compare::comparison_axes(case_result.problem);
+  const auto axes = compare::comparison_bins(case_result.problem);
   case_result.joints.clear();
   for (const char* id : {"fd-kf", "epc-gaussian-n6", "mcs"}) {
     const auto* solution = case_result.find(id);

@@ -13,7 +13,7 @@ namespace fpkcheck::tests {
 inline results::CaseResult case_with_external_family(const std::vector<int>& orders) {
   const auto known = whole_case();
   auto problem = known.problem;
-  const auto axes = compare::comparison_axes(problem);
+  const auto axes = compare::comparison_bins(problem);
   auto solutions = made_up_solutions(axes);
   for (auto& solution : solutions) {
     if (solution.id() == "fd-kf") solution.error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5, .moments = {}};

@@ -21,7 +21,7 @@ using transform::Status;
 /// The only sentence with these words, or "".
 std::string sentence_with(const results::CaseResult& case_result, const std::string& words) {
   std::string found;
-  for (const auto& sentence : finding_sentences(case_result)) {
+  for (const auto& sentence : case_finding_sentences(case_result)) {
     if (!contains(sentence, words)) continue;
     EXPECT_TRUE(found.empty()) << found << "\n" << sentence;
     found = sentence;
@@ -49,10 +49,10 @@ TEST(Findings, StateTheErrorOfEachApproximation) {
       "0.0016 in p(y'); the sampling error of the simulation (mcs) is 0.0011 in p(y) and 0.0015 in "
       "p(y'); all errors explain up to 0.003 and 0.0041 (exceeded by chance in 1 run of 1000): the "
       "densities agree."};
-  EXPECT_EQ(finding_sentences(case_result), expected);
+  EXPECT_EQ(case_finding_sentences(case_result), expected);
   set_l1(case_result, "fd-kf", "mcs", 0.0012, 0.016);
-  EXPECT_TRUE(contains(finding_sentences(case_result)[3], "the densities disagree"))
-      << finding_sentences(case_result)[3];
+  EXPECT_TRUE(contains(case_finding_sentences(case_result)[3], "the densities disagree"))
+      << case_finding_sentences(case_result)[3];
 }
 
 TEST(Findings, StateErrorsMeasuredWithControlVariates) {
@@ -132,8 +132,8 @@ TEST(Findings, RankClosuresByTheStatedReference) {
   set_l1(case_result, "epc-gaussian-n6", "fd-kf", 0.002, 0.001);
   set_l1(case_result, "epc-gaussian-n2", "mcs", 0.002, 0.001);
   set_l1(case_result, "epc-gaussian-n6", "mcs", 0.001, 0.001);
-  EXPECT_TRUE(finding_sentences(case_result)[0].starts_with("Reference: fd-kf,"))
-      << finding_sentences(case_result)[0];
+  EXPECT_TRUE(case_finding_sentences(case_result)[0].starts_with("Reference: fd-kf,"))
+      << case_finding_sentences(case_result)[0];
   EXPECT_EQ(
       sentence_with(case_result, "Closest to"),
       "Closest to fd-kf among the closures with status ok: epc-gaussian-n2 with L1 0.001 in p(y) "
@@ -216,7 +216,7 @@ TEST(Findings, UseOnlyAvailableSolutionsThatAreOk) {
   solution_of(case_result, "fd-white").status = Status::failed;
   solution_of(case_result, "mcs").sampling.reset();
   case_result.update_assessment();
-  const auto sentences = finding_sentences(case_result);
+  const auto sentences = case_finding_sentences(case_result);
   ASSERT_EQ(sentences.size(), 4u);
   EXPECT_EQ(sentences[0], "Reference: mcs.");
   EXPECT_FALSE(contains(sentences[1], "white noise")) << sentences[1];
@@ -225,12 +225,12 @@ TEST(Findings, UseOnlyAvailableSolutionsThatAreOk) {
 
   case_result.solutions.erase(case_result.solutions.begin() + 4, case_result.solutions.end());
   case_result.update_assessment();
-  ASSERT_EQ(finding_sentences(case_result).size(), 1u);
-  EXPECT_TRUE(finding_sentences(case_result)[0].starts_with("There is no reference"))
-      << finding_sentences(case_result)[0];
+  ASSERT_EQ(case_finding_sentences(case_result).size(), 1u);
+  EXPECT_TRUE(case_finding_sentences(case_result)[0].starts_with("There is no reference"))
+      << case_finding_sentences(case_result)[0];
   case_result.solutions.resize(1);
   case_result.update_assessment();
-  EXPECT_TRUE(finding_sentences(case_result).empty());
+  EXPECT_TRUE(case_finding_sentences(case_result).empty());
 }
 
 /// The case with epc-gaussian-n2 as an external density.
@@ -295,12 +295,12 @@ TEST(Findings, HaveTheNotesOfSolvers) {
                 .add_empty_list("files[1].notes")
                 .add_text_metric("keynotes[0]", std::string("no note"))
                 .take_metrics();
-  EXPECT_EQ(finding_sentences(case_result).back(),
+  EXPECT_EQ(case_finding_sentences(case_result).back(),
             "Note on lab.csv: sorted; 2 rows were left out.");
   metrics = transform::SolverMetricsBuilder()
                 .add_text_metric("notes[0]", std::string("by hand"))
                 .take_metrics();
-  EXPECT_EQ(finding_sentences(case_result).back(), "Note on epc-gaussian-n2: by hand.");
+  EXPECT_EQ(case_finding_sentences(case_result).back(), "Note on epc-gaussian-n2: by hand.");
 }
 
 }  // namespace

@@ -64,15 +64,15 @@ TEST(Legend, OfABudgetExplainsEveryLinkOfTheChain) {
   TextTableColumn names{"", "error budget", true, kAlwaysShown, {"toy"}};
   for (const auto& [link, name, meaning] : compare::kApproximationNames) {
     const TextTableColumn part{
-        "L1 of p(y)", budget_part_header(std::string(name)), false, 1, {"0.1"}};
-    const std::string text = budget_table_legend({names, part});
+        "L1 of p(y)", error_budget_part_header(std::string(name)), false, 1, {"0.1"}};
+    const std::string text = error_budget_table_legend({names, part});
     EXPECT_TRUE(contains(text, fmt::format("; {}: {}", part.header, meaning))) << text;
   }
   // Each of several approximations that share a column.
   const TextTableColumn shared{"L1 of p(y)", "closure + truncation", false, 1, {"0.1"}};
-  const std::string text = budget_table_legend({names, shared});
+  const std::string text = error_budget_table_legend({names, shared});
   EXPECT_TRUE(contains(text, "; closure: ") && contains(text, "; trunc.: ")) << text;
-  EXPECT_EQ(budget_table_legend({}), "");
+  EXPECT_EQ(error_budget_table_legend({}), "");
 }
 
 }  // namespace

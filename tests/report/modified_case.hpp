@@ -29,7 +29,7 @@ inline void set_l1(results::CaseResult& case_result, const std::string& a, const
 /// The case with only its first `count` solutions and their comparisons.
 inline results::CaseResult case_with_first(std::size_t count) {
   auto problem = paper_case(1);
-  const auto axes = compare::comparison_axes(problem);
+  const auto axes = compare::comparison_bins(problem);
   auto solutions = made_up_solutions(axes);
   solutions.resize(count);
   return results::make_case_result(problem, axes, std::move(solutions));

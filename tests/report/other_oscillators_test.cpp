@@ -7,7 +7,7 @@
 #include "modified_case.hpp"
 #include "problem/case_file.hpp"
 #include "report/case_solutions.hpp"
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 #include "report/terminal_tables.hpp"
 #include "results/run_assessment.hpp"
 #include "saved_run.hpp"

@@ -35,10 +35,11 @@ TEST(ReferenceText, StatesTheReferenceAndItsErrorEstimate) {
   auto case_result = made_up_case();
   solution_of(case_result, "fd-kf").error = {.y_l1 = 2e-5, .ydot_l1 = 3e-5};
   case_result.update_assessment();
-  EXPECT_EQ(describe_reference(case_result),
+  EXPECT_EQ(reference_description_text(case_result),
             "Reference: fd-kf, the solution with the smallest error estimate (L1 2e-05 in p(y), "
             "3e-05 in p(y')).");
-  EXPECT_NE(describe_reference(tests::case_with_first(4)).find("no reference"), std::string::npos);
+  EXPECT_NE(reference_description_text(tests::case_with_first(4)).find("no reference"),
+            std::string::npos);
 }
 
 }  // namespace

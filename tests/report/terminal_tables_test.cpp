@@ -143,7 +143,7 @@ TEST(Table, HasTheErrorBudgetAndTheFindings) {
   const auto case_result = made_up_case();
   const std::string text = collapse_whitespace(table_of(case_result, 100));
   EXPECT_TRUE(contains(text, "error budget total"));
-  for (const auto& sentence : finding_sentences(case_result))
+  for (const auto& sentence : case_finding_sentences(case_result))
     EXPECT_TRUE(contains(text, sentence)) << sentence;
 }
 

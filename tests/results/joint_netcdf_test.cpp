@@ -200,7 +200,7 @@ TEST(JointNetCdf, IsReadFromDirectoriesWithAnyName) {
 
 using transform::StateVariable;
 
-const compare::ComparisonAxes kAxes = compare::comparison_axes(tests::paper_case(1));
+const compare::ComparisonBins kAxes = compare::comparison_bins(tests::paper_case(1));
 
 // The eight synthetic solutions; the simulation's histogram is too rough for interpolation.
 std::vector<transform::Solution> solutions_with_histogram() {

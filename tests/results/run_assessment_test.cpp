@@ -39,8 +39,8 @@ TEST(AgreementRows, HaveTheLargestDistanceOverCases) {
   const results::Run run{{}, {first, second}};
   for (const auto& row : assess_run(run).rows) {
     if (row.identity->id == "epc-gaussian-n6") {
-      EXPECT_DOUBLE_EQ(*row.largest_l1_of_marginal(&SolutionAgreementInCase::y), 0.005);
-      EXPECT_DOUBLE_EQ(*row.largest_l1_of_marginal(&SolutionAgreementInCase::ydot), 0.004);
+      EXPECT_DOUBLE_EQ(*row.largest_l1_distance_of_marginal(&SolutionAgreementInCase::y), 0.005);
+      EXPECT_DOUBLE_EQ(*row.largest_l1_distance_of_marginal(&SolutionAgreementInCase::ydot), 0.004);
       EXPECT_DOUBLE_EQ(*row.largest_l1_distance(), 0.005);
     }
     if (row.identity->id == "epc-gaussian-n4") {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "compare/comparison_axes.hpp"
+#include "compare/comparison_bins.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::results {
@@ -12,7 +12,7 @@ using transform::StateVariable;
 
 TEST(Curves, ComputeBinWidthsFromCentres) {
   // At a twentieth of the default rate the bins at 0 are divided.
-  const auto axes = compare::comparison_axes(tests::make_problem({.rate = 0.05}));
+  const auto axes = compare::comparison_bins(tests::make_problem({.rate = 0.05}));
   ASSERT_GT(axes.divisions, 0);
   for (const StateVariable variable : transform::kVariables) {
     const transform::Marginal marginal{compare::comparison_bin_edges(axes, variable), {}, {}, {}};

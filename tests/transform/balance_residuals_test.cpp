@@ -1,11 +1,11 @@
-#include "transform/metric.hpp"
+#include "transform/solver_metric.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 namespace fpkcheck::transform {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "transform/density.hpp"
+#include "transform/joint_density.hpp"
 #include "uniform_edges.hpp"
 
 namespace fpkcheck::transform {

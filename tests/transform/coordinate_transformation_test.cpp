@@ -40,8 +40,8 @@ TEST(ChangeOfFrame, MirrorsFunctionsWithTheirSupport) {
 
 TEST(ChangeOfFrame, EdgesAreTransformedBack) {
   const std::vector<double> y{-1, 0.5, 2};
-  EXPECT_EQ(to_x_edges(kMirrored, y), (std::vector<double>{0, 1.5, 3}));
-  EXPECT_EQ(to_y_edges(kMirrored, to_x_edges(kMirrored, y)), y);
+  EXPECT_EQ(wall_coordinate_edges(kMirrored, y), (std::vector<double>{0, 1.5, 3}));
+  EXPECT_EQ(y_edges_from_wall_coordinates(kMirrored, wall_coordinate_edges(kMirrored, y)), y);
 }
 
 TEST(ChangeOfFrame, TransformsMarginalsWithIntervalsAndAtoms) {

@@ -9,7 +9,7 @@ namespace fpkcheck::transform {
 namespace {
 
 // u(h) = limit + error h^order; the sign of the error varies over the bins.
-GridLevel at(double h, double order, double error = 0.1) {
+GridLevelSolution at(double h, double order, double error = 0.1) {
   const double scale = error * std::pow(h, order);
   const auto marginal = [&](double level) {
     return Marginal{{0, 1, 2, 3}, {level + scale, level - 2 * scale, level + 0.5 * scale}, {}, {}};
@@ -25,7 +25,7 @@ GridLevel at(double h, double order, double error = 0.1) {
 }
 
 struct Sequence {
-  GridLevel coarse, middle, fine;
+  GridLevelSolution coarse, middle, fine;
 
   GridLevelDifference before() const { return grid_level_difference(coarse, middle); }
   GridLevelDifference last() const { return grid_level_difference(middle, fine); }
@@ -41,7 +41,7 @@ Sequence of_order(double order) {
 TEST(Richardson, FindsTheLimitOfASequenceOfKnownOrder) {
   const Sequence levels = of_order(3);
   const RichardsonEstimate known = levels.richardson_estimate(5);
-  const GridLevel found = richardson_limit(levels.middle, levels.fine, known.factor);
+  const GridLevelSolution found = richardson_limit(levels.middle, levels.fine, known.factor);
   for (std::size_t k = 0; k < 3; ++k) {
     EXPECT_NEAR(found.y.density[k], 0.3, 1e-13);
     EXPECT_NEAR(found.ydot.density[k], 0.2, 1e-13);
@@ -105,10 +105,10 @@ TEST(Richardson, DoesNotExtrapolateASequenceThatDoesNotConvergeBeyondFirstOrder)
 
 // Consecutive levels need common bins; another pair of levels may have other bins.
 TEST(Richardson, ComparesConsecutiveLevelsOnCommonBins) {
-  GridLevel coarse = at(1, 3);
+  GridLevelSolution coarse = at(1, 3);
   coarse.y.edges = {0, 2, 4, 6};
   EXPECT_THROW(grid_level_difference(coarse, at(0.5, 3)), std::invalid_argument);
-  GridLevel middle = at(1 / kRefinementRatio, 3);
+  GridLevelSolution middle = at(1 / kRefinementRatio, 3);
   middle.y.edges = coarse.y.edges;
   EXPECT_NEAR(grid_level_difference(coarse, middle).y_l1,
               2 * grid_level_difference(at(1, 3), at(1 / kRefinementRatio, 3)).y_l1, 1e-14);
@@ -117,12 +117,12 @@ TEST(Richardson, ComparesConsecutiveLevelsOnCommonBins) {
 // Rest atoms at different walls have different y, but all rest atoms have y' = 0.
 TEST(Richardson, ProbabilitiesOfRestAreComparedAndHaveAnError) {
   const auto with_atoms = [](double h) {
-    GridLevel level = at(h, 2);
+    GridLevelSolution level = at(h, 2);
     level.rest_probabilities = {0.25 + 0.01 * h * h, 0.125 - 0.004 * h * h};
     return level;
   };
-  const GridLevel coarse = with_atoms(1), middle = with_atoms(1 / kRefinementRatio),
-                  fine = with_atoms(0.5);
+  const GridLevelSolution coarse = with_atoms(1), middle = with_atoms(1 / kRefinementRatio),
+                          fine = with_atoms(0.5);
   const GridLevelDifference last = grid_level_difference(middle, fine);
   const GridLevelDifference plain = grid_level_difference(at(1 / kRefinementRatio, 2), at(0.5, 2));
   ASSERT_EQ(last.rest_probabilities.size(), 2u);
@@ -143,7 +143,7 @@ TEST(Richardson, GridLevelIsTakenFromASolution) {
   solution.density = GridDensity{{0, 1, 2}, {-1, 0, 1}, {0.1, 0.2, 0.3, 0.4}};
   solution.moments.y2 = 7;
   solution.atoms = {{.y = 0, .probability = 0.25}};
-  const GridLevel of =
+  const GridLevelSolution of =
       make_grid_level(solution, std::vector<double>{0, 1, 2}, std::vector<double>{-1, 0, 1});
   EXPECT_NEAR(of.y.density[1], 0.7, 1e-15);
   EXPECT_NEAR(of.ydot.density[0], 0.4, 1e-15);

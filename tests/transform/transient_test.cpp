@@ -6,7 +6,7 @@ namespace fpkcheck::transform {
 namespace {
 
 // A density over two bins of width 1, with the probability p in the first bin, and E[y^2] = y2.
-TransientSnapshot snapshot(double time, double p, double y2) {
+TransientDensitySnapshot snapshot(double time, double p, double y2) {
   const Marginal marginal{.edges = {0, 1, 2}, .density = {p, 1 - p}, .lower = {}, .upper = {}};
   return {.time = time, .moments = {.y2 = y2}, .y = marginal, .ydot = marginal};
 }
@@ -20,7 +20,7 @@ TEST(TransientRequest, EndsExactlyAtTheEndTime) {
 
 // The differences of E[y^2] are 0, 1, 0, 0, 2 at the times 0, 1, 2, 3, 4.
 TEST(ErrorsByDifferences, AreTheLargestWithinHalfAPeriod) {
-  std::vector<TransientSnapshot> snapshots, coarse;
+  std::vector<TransientDensitySnapshot> snapshots, coarse;
   const double differences[] = {0, 1, 0, 0, -2};
   for (int k = 0; k < 5; ++k) {
     snapshots.push_back(snapshot(k, 0.5, 3));

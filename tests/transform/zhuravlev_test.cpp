@@ -1,6 +1,6 @@
 #include "transform/coordinate_transformation.hpp"
 
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 #include <gtest/gtest.h>
 

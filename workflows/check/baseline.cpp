@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "results/saved_run.hpp"
 #include "workflows/check/case_quantities.hpp"
 #include "workflows/check/tolerances.hpp"
@@ -36,7 +36,8 @@ void require_complete_simulation(const Solution& solution) {
   }
   if (!solution.has_density()) return;
   for (const CheckedQuantity& quantity : solution_quantities(solution, {})) {
-    if (quantity.kind != QuantityKind::simulated_error || finite_number_or_nan(quantity.value) > 0)
+    if (quantity.kind != CheckedQuantityKind::simulated_error ||
+        finite_number_or_nan(quantity.value) > 0)
       continue;
     throw InputError(fmt::format("{} = {} (must be a positive number: run again, and longer)",
                                  quantity.name, finite_number_or_nan(quantity.value)));
@@ -60,8 +61,8 @@ BaselineCaseToRepeat plan_repetition(results::CaseResult& case_result,
         external_ids.push_back(solution.id());
       }
     } catch (const InputError& error) {
-      throw InputError(fmt::format("{}: {}: {}", base::sanitise(case_result.name()),
-                                   base::sanitise(solution.id()), error.what()));
+      throw InputError(fmt::format("{}: {}: {}", base::to_printable_text(case_result.name()),
+                                   base::to_printable_text(solution.id()), error.what()));
     }
   }
   for (const auto& id : external_ids) {
@@ -95,12 +96,12 @@ CheckBaseline load_baseline(const fs::path& path, const methods::SolverRegistry&
           plan_repetition(case_result, registry, option_overrides, baseline.notes));
     }
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}", base::sanitise(file.string()), error.what()));
+    throw InputError(fmt::format("{}: {}", base::to_printable_text(file.string()), error.what()));
   }
   if (std::ranges::all_of(baseline.cases,
                           [](const auto& case_result) { return case_result.methods.empty(); })) {
     throw InputError(fmt::format("{} has no solution that can be solved again: use another run",
-                                 base::sanitise(file.string())));
+                                 base::to_printable_text(file.string())));
   }
   return baseline;
 }

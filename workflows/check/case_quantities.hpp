@@ -1,7 +1,7 @@
 #pragma once
 
 #include "results/run.hpp"
-#include "workflows/check/quantity.hpp"
+#include "workflows/check/compared_quantity.hpp"
 #include "workflows/check/tolerances.hpp"
 
 /// Numbers and words about one case by which two runs are compared.
@@ -14,7 +14,7 @@ constexpr const char* marginal_density_symbol(transform::StateVariable variable)
 /// Returns the compared quantities of a solution. Changes of moments, mass and energy residual of a
 /// simulation are measured in standard errors.
 CheckedQuantities solution_quantities(const transform::Solution& solution,
-                                      const CheckTolerances& tolerances);
+                                      const BaselineCheckTolerances& tolerances);
 
 /// Appends the metrics of a solver to the quantities of a solution. Metrics that are words must be
 /// equal in the two compared runs. Changes of deterministic metrics are divided by the value, or by
@@ -25,12 +25,14 @@ CheckedQuantities solution_quantities(const transform::Solution& solution,
 /// @param whole part that represents the whole solution. For a quantity of kind `simulated_error`,
 /// the member `allowed` becomes the exponent of the standard error to which the quantity is
 /// proportional.
-void add_metric_quantities(const transform::Metrics& metrics, const CheckTolerances& tolerances,
+void add_metric_quantities(const transform::Metrics& metrics,
+                           const BaselineCheckTolerances& tolerances,
                            const SolutionPartQuantityAppender& whole);
 
 /// Copies the kinds and scales of metrics from the new run to the baseline, since files store only
 /// the values of metrics.
-transform::Metrics copy_metric_kinds(transform::Metrics baseline, const transform::Metrics& now);
+transform::Metrics copy_metric_kinds_from_repeated_run(transform::Metrics baseline,
+                                                       const transform::Metrics& now);
 
 /// Returns the distances l1, l2, sup, hellinger and kl and the distances in the decades of the
 /// tail, for every pair of solutions. For a pair of solutions with a simulation, only the L1
@@ -41,22 +43,22 @@ transform::Metrics copy_metric_kinds(transform::Metrics baseline, const transfor
 /// @param case_in_other_run result of the same case in the other of the two compared runs
 CheckedQuantities distance_quantities(const results::CaseResult& case_result,
                                       const results::CaseResult& case_in_other_run,
-                                      const CheckTolerances& tolerances);
+                                      const BaselineCheckTolerances& tolerances);
 
 /// Returns the parts of the error budget of every closure. If the simulations of the two runs
 /// differ by sampling, the tolerances of distances from the simulation follow from the sampling
 /// error.
 CheckedQuantities budget_quantities(const results::CaseResult& case_result,
                                     const results::CaseResult& case_in_other_run,
-                                    const CheckTolerances& tolerances);
+                                    const BaselineCheckTolerances& tolerances);
 
 /// Returns the bin with the largest change of each marginal density. Changes of a simulated density
 /// are in standard errors. Bins of a simulated density are compared only if their 95 % interval has
 /// a half-width of at most half the density. The tolerance of bin changes accounts for the number
 /// of compared bins. For a simulation, the L1 distance between its densities in the two runs is an
 /// additional compared quantity.
-std::vector<QuantityChange> marginal_changes(const results::CaseResult& baseline,
-                                             const results::CaseResult& now,
-                                             const CheckTolerances& tolerances);
+std::vector<CheckedQuantityChange> marginal_changes(const results::CaseResult& baseline,
+                                                    const results::CaseResult& now,
+                                                    const BaselineCheckTolerances& tolerances);
 
 }  // namespace fpkcheck::check

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "report/text/text_layout.hpp"
-#include "results/json.hpp"
+#include "results/json_conversions.hpp"
 #include "results/run_json.hpp"
 #include "workflows/check/compare_runs.hpp"
 
@@ -20,7 +20,7 @@ using report::TerminalTextFormat;
 using report::TextTableColumn;
 using results::Json;
 
-Json quantity_change_json(const QuantityChange& quantity_change) {
+Json quantity_change_json(const CheckedQuantityChange& quantity_change) {
   return {{"case", quantity_change.case_name},
           {"solution", quantity_change.solution},
           {"figure", quantity_change.name},
@@ -47,7 +47,7 @@ std::string parameter_value_text(const Value& value, int digits) {
 
 // Returns the texts of two compared values, with few digits, or with all digits if few digits would
 // not show the change.
-std::pair<std::string, std::string> value_texts(const QuantityChange& quantity_change) {
+std::pair<std::string, std::string> value_texts(const CheckedQuantityChange& quantity_change) {
   constexpr int kFewDigits = 8, kAllDigits = 15;
   std::pair few{parameter_value_text(quantity_change.baseline, kFewDigits),
                 parameter_value_text(quantity_change.now, kFewDigits)};
@@ -56,7 +56,7 @@ std::pair<std::string, std::string> value_texts(const QuantityChange& quantity_c
           parameter_value_text(quantity_change.now, kAllDigits)};
 }
 
-std::string changed_quantity_table(const std::vector<QuantityChange>& moved,
+std::string changed_quantity_table(const std::vector<CheckedQuantityChange>& moved,
                                    const TerminalTextFormat& format) {
   std::vector<TextTableColumn> columns{{"", "case", true, kAlwaysShown},
                                        {"", "solution", true, kAlwaysShown},
@@ -66,8 +66,8 @@ std::string changed_quantity_table(const std::vector<QuantityChange>& moved,
                                        {"", "change", false, kAlwaysShown},
                                        {"", "allowed", false, kAlwaysShown},
                                        {"", "", true, 1}};
-  for (const QuantityChange& f : moved) {
-    const bool is_number = f.kind != QuantityKind::status;
+  for (const CheckedQuantityChange& f : moved) {
+    const bool is_number = f.kind != CheckedQuantityKind::status;
     const auto [baseline, now] = value_texts(f);
     report::add_table_row(columns, {f.case_name, f.solution, f.name, baseline, now,
                                     is_number ? change_text(f.change) : kMissingCell,
@@ -87,7 +87,7 @@ std::string quantity_kind_table(const BaselineCheckResult& check,
                                        {"within allowance", "", true, 2},
                                        {"", "of", true, 1}};
   for (const auto& [kind, count, moved, largest] : summarise_changes_by_kind(check)) {
-    const bool shown = largest != nullptr && kind != QuantityKind::status;
+    const bool shown = largest != nullptr && kind != CheckedQuantityKind::status;
     const std::string of =
         shown && largest->change > 0 ? largest->case_name + ' ' + largest->solution : "";
     report::add_table_row(
@@ -101,18 +101,18 @@ std::string quantity_kind_table(const BaselineCheckResult& check,
 
 // Returns the changes between two runs that are largest in units of their tolerance, in the order
 // of the run.
-std::vector<QuantityChange> largest_changes(const std::vector<QuantityChange>& moved,
-                                            std::size_t most) {
+std::vector<CheckedQuantityChange> largest_changes(const std::vector<CheckedQuantityChange>& moved,
+                                                   std::size_t most) {
   if (moved.size() <= most) return moved;
   std::vector<double> shares;
   for (const auto& quantity_change : moved)
-    shares.push_back(quantity_change.change_over_tolerance());
+    shares.push_back(quantity_change.change_divided_by_tolerance());
   std::ranges::nth_element(shares, shares.begin() + static_cast<std::ptrdiff_t>(most - 1),
                            std::greater<>{});
   const double least = shares[most - 1];
-  std::vector<QuantityChange> result;
+  std::vector<CheckedQuantityChange> result;
   for (const auto& quantity_change : moved) {
-    if (!(quantity_change.change_over_tolerance() < least) && result.size() < most)
+    if (!(quantity_change.change_divided_by_tolerance() < least) && result.size() < most)
       result.push_back(quantity_change);
   }
   return result;
@@ -130,7 +130,7 @@ std::string check_result_json(const BaselineCheckResult& check, const std::strin
          {"moved", moved_count},
          {"largest_allowed", largest == nullptr ? Json() : quantity_change_json(*largest)}});
   }
-  for (const auto& quantity_change : check.changed_quantities())
+  for (const auto& quantity_change : check.quantities_beyond_tolerance())
     moved.push_back(quantity_change_json(quantity_change));
   return results::serialise_json(results::replace_non_finite_by_null(
       {{"schema", results::kSummarySchema},
@@ -147,7 +147,7 @@ std::string check_result_json(const BaselineCheckResult& check, const std::strin
 }
 
 std::string check_result_table(const BaselineCheckResult& check, const TerminalTextFormat& format) {
-  const auto moved = check.changed_quantities();
+  const auto moved = check.quantities_beyond_tolerance();
   std::string text;
   if (!moved.empty()) {
     const auto shown = largest_changes(moved, kMaxRows);

@@ -17,12 +17,13 @@ void append_list(List& list, List more) {
 }
 
 CheckedQuantities case_quantities(const results::CaseResult& one, const results::CaseResult& other,
-                                  bool is_baseline, const CheckTolerances& tolerances) {
+                                  bool is_baseline, const BaselineCheckTolerances& tolerances) {
   CheckedQuantities quantities;
   for (transform::Solution solution : one.solutions) {
     const auto* again = other.find(solution.id());
     if (is_baseline && again != nullptr) {
-      solution.metrics = copy_metric_kinds(std::move(solution.metrics), again->metrics);
+      solution.metrics =
+          copy_metric_kinds_from_repeated_run(std::move(solution.metrics), again->metrics);
     }
     append_list(quantities, solution_quantities(solution, tolerances));
   }
@@ -33,18 +34,19 @@ CheckedQuantities case_quantities(const results::CaseResult& one, const results:
 
 }  // namespace
 
-std::vector<QuantityChange> BaselineCheckResult::changed_quantities() const {
-  std::vector<QuantityChange> result;
-  std::ranges::copy_if(changes, std::back_inserter(result), &QuantityChange::exceeds_tolerance);
+std::vector<CheckedQuantityChange> BaselineCheckResult::quantities_beyond_tolerance() const {
+  std::vector<CheckedQuantityChange> result;
+  std::ranges::copy_if(changes, std::back_inserter(result),
+                       &CheckedQuantityChange::exceeds_tolerance);
   return result;
 }
 
 bool BaselineCheckResult::agrees_with_baseline() const {
-  return std::ranges::none_of(changes, &QuantityChange::exceeds_tolerance);
+  return std::ranges::none_of(changes, &CheckedQuantityChange::exceeds_tolerance);
 }
 
 BaselineCheckResult compare_runs(const results::Run& baseline, const results::Run& now,
-                                 const CheckTolerances& tolerances, bool with_marginals) {
+                                 const BaselineCheckTolerances& tolerances, bool with_marginals) {
   BaselineCheckResult result{tolerances, {}, 0, {}};
   for (const results::CaseResult& was : baseline.cases) {
     const auto is = std::ranges::find(now.cases, was.name(), &results::CaseResult::name);
@@ -60,17 +62,18 @@ BaselineCheckResult compare_runs(const results::Run& baseline, const results::Ru
   return result;
 }
 
-std::vector<QuantityKindSummary> summarise_changes_by_kind(const BaselineCheckResult& check) {
-  std::vector<QuantityKindSummary> kinds;
+std::vector<CheckedQuantityKindSummary> summarise_changes_by_kind(
+    const BaselineCheckResult& check) {
+  std::vector<CheckedQuantityKindSummary> kinds;
   for (const auto& entry : kQuantityKindNames) {
-    QuantityKindSummary summary{entry.value};
+    CheckedQuantityKindSummary summary{entry.value};
     for (const auto& quantity_change : check.changes) {
       if (quantity_change.kind != entry.value) continue;
       ++summary.count;
       if (quantity_change.exceeds_tolerance()) {
         ++summary.moved;
-      } else if (summary.largest == nullptr || quantity_change.change_over_tolerance() >
-                                                   summary.largest->change_over_tolerance()) {
+      } else if (summary.largest == nullptr || quantity_change.change_divided_by_tolerance() >
+                                                   summary.largest->change_divided_by_tolerance()) {
         summary.largest = &quantity_change;
       }
     }

@@ -5,18 +5,19 @@
 
 #include "report/text/text_layout.hpp"
 #include "results/run.hpp"
-#include "workflows/check/quantity.hpp"
+#include "workflows/check/compared_quantity.hpp"
 #include "workflows/check/tolerances.hpp"
 
 namespace fpkcheck::check {
 
 struct BaselineCheckResult {
-  CheckTolerances tolerances;
-  std::vector<QuantityChange> changes;  ///< all compared quantities, in the order of the baseline
-  std::size_t solutions;                ///< number of solutions in the baseline
+  BaselineCheckTolerances tolerances;
+  /// all compared quantities, in the order of the baseline
+  std::vector<CheckedQuantityChange> changes;
+  std::size_t solutions;  ///< number of solutions in the baseline
   std::vector<std::string> notes;
 
-  std::vector<QuantityChange> changed_quantities() const;
+  std::vector<CheckedQuantityChange> quantities_beyond_tolerance() const;
   bool agrees_with_baseline() const;
 };
 
@@ -26,7 +27,8 @@ struct BaselineCheckResult {
 /// @param now new run by this program version, in which each metric has a kind
 /// @throws InputError if the new run lacks a case of the baseline
 BaselineCheckResult compare_runs(const results::Run& baseline, const results::Run& now,
-                                 const CheckTolerances& tolerances, bool with_marginals = true);
+                                 const BaselineCheckTolerances& tolerances,
+                                 bool with_marginals = true);
 
 /// Returns the quantities with changes above tolerance, the largest change within tolerance for
 /// each kind of quantity, and a closing sentence.
@@ -38,16 +40,16 @@ std::string check_result_json(const BaselineCheckResult& check, const std::strin
                               const std::string& baseline);
 
 /// Numbers of compared quantities and of changes above the tolerance, for one kind of quantity.
-struct QuantityKindSummary {
-  QuantityKind kind;
+struct CheckedQuantityKindSummary {
+  CheckedQuantityKind kind;
   std::size_t count = 0;
   std::size_t moved = 0;
   /// Change closest to its tolerance, among all changes within their tolerances.
-  const QuantityChange* largest = nullptr;
+  const CheckedQuantityChange* largest = nullptr;
 };
 
 /// Summarises the kinds of quantities that occur in a check. The pointers in the returned summaries
 /// refer to elements of the argument `check`.
-std::vector<QuantityKindSummary> summarise_changes_by_kind(const BaselineCheckResult& check);
+std::vector<CheckedQuantityKindSummary> summarise_changes_by_kind(const BaselineCheckResult& check);
 
 }  // namespace fpkcheck::check

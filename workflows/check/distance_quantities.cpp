@@ -37,19 +37,20 @@ void add_tail_distances(const compare::DensityDistances& d,
                         decade.omitted_bin_count);
   }
   const SolutionPartQuantityAppender tail{pair.quantities, pair.solution, "tail " + pair.name};
-  tail.begin_part(QuantityKind::tail, bins, pair.name);
+  tail.begin_part(CheckedQuantityKind::tail, bins, pair.name);
   for (const auto& decade : d.log10_tail) {
     tail.append_number_quantity(fmt::format("tail {:.0e} {}", decade.from, pair.name),
-                                QuantityKind::tail, decade.mean_abs, allowed);
+                                CheckedQuantityKind::tail, decade.mean_abs, allowed);
   }
 }
 
 void add_l1_standard_error(const SolutionPairDistances& pair, const transform::Solution& simulation,
-                           const CheckTolerances& tolerances,
+                           const BaselineCheckTolerances& tolerances,
                            const SolutionPartQuantityAppender& part) {
   constexpr std::size_t kBothVariables = 2;
   part.append_number_quantity(
-      "standard error of L1 " + part.name, QuantityKind::simulated_error, *pair.l1_standard_error,
+      "standard error of L1 " + part.name, CheckedQuantityKind::simulated_error,
+      *pair.l1_standard_error,
       standard_error_change_tolerance(simulation, kBothVariables, 1, tolerances));
 }
 
@@ -58,7 +59,7 @@ void add_l1_standard_error(const SolutionPairDistances& pair, const transform::S
 std::string budget_chain_text(const ErrorBudgetRow& row) {
   std::string text = row.reference + ":";
   for (const ErrorBudgetPart& part : row.parts) {
-    text += fmt::format(" {} ({} to {})", part.part_name(), part.from, part.to);
+    text += fmt::format(" {} ({} to {})", part.error_budget_part_name(), part.from, part.to);
   }
   return text;
 }
@@ -66,11 +67,12 @@ std::string budget_chain_text(const ErrorBudgetRow& row) {
 /// @param simulation simulation to which the total distances of the row refer, if the two runs
 ///        differ by sampling; otherwise a null pointer
 void add_budget_row_quantities(const ErrorBudgetRow& row, const transform::Solution* simulation,
-                               const CheckTolerances& tolerances, CheckedQuantities& quantities) {
+                               const BaselineCheckTolerances& tolerances,
+                               CheckedQuantities& quantities) {
   const SolutionPartQuantityAppender part{
       quantities, row.solution, fmt::format("budget {}", marginal_density_symbol(row.variable))};
   const auto add = [&](const std::string& name, double number) -> CheckedQuantity& {
-    return part.append_number_quantity(part.name + ' ' + name, QuantityKind::budget, number,
+    return part.append_number_quantity(part.name + ' ' + name, CheckedQuantityKind::budget, number,
                                        tolerances.deterministic);
   };
   const auto add_l1 = [&](const std::string& name, double l1, bool to_reference) {
@@ -85,23 +87,23 @@ void add_budget_row_quantities(const ErrorBudgetRow& row, const transform::Solut
     constexpr double kMaxTailFactor = 5;
     CheckedQuantity& quantity = add(name, tail);
     quantity.allowed = simulation == nullptr ? tolerances.tail_tolerance() : kMaxTailFactor - 1;
-    if (simulation != nullptr) quantity.kind = QuantityKind::simulated_error;
+    if (simulation != nullptr) quantity.kind = CheckedQuantityKind::simulated_error;
   };
   const auto add_error_metric = [&](const std::string& name, const std::optional<double>& l1,
                                     bool of_the_simulation) {
     CheckedQuantity& quantity = add(name, l1.value_or(std::numeric_limits<double>::quiet_NaN()));
     if (simulation == nullptr || !of_the_simulation) return;
-    quantity.kind = QuantityKind::simulated_error;
+    quantity.kind = CheckedQuantityKind::simulated_error;
     quantity.allowed = standard_error_change_tolerance(*simulation, 2, 1, tolerances);
   };
-  part.begin_part(QuantityKind::budget, budget_chain_text(row));
+  part.begin_part(CheckedQuantityKind::budget, budget_chain_text(row));
   add_l1("total", row.total, true);
   add_tail("tail of total", row.total_tail);
   add("tail from", row.tail_from);
   add("tail to", row.tail_to);
   add_tail("bins of tail", row.tail_bins);
   for (const ErrorBudgetPart& step : row.parts) {
-    const std::string name = step.part_name();
+    const std::string name = step.error_budget_part_name();
     add_l1(name, step.l1, step.to == row.reference);
     add_tail("tail of " + name, step.tail);
     add_error_metric("uncertainty " + name, step.uncertainty, false);
@@ -115,7 +117,7 @@ void add_budget_row_quantities(const ErrorBudgetRow& row, const transform::Solut
 
 CheckedQuantities distance_quantities(const results::CaseResult& case_result,
                                       const results::CaseResult& case_in_other_run,
-                                      const CheckTolerances& tolerances) {
+                                      const BaselineCheckTolerances& tolerances) {
   CheckedQuantities quantities;
   for (const SolutionPairDistances& pair : case_result.pairs) {
     const auto *a = case_result.find(pair.a), *b = case_result.find(pair.b);
@@ -125,10 +127,10 @@ CheckedQuantities distance_quantities(const results::CaseResult& case_result,
         fmt::format("{} to {}", marginal_density_symbol(pair.variable), pair.b)};
     const auto add = [&](const char* symbol, double distance, double scale) -> CheckedQuantity& {
       return part.append_number_quantity(fmt::format("{} {}", symbol, part.name),
-                                         QuantityKind::distance, distance, tolerances.deterministic,
-                                         scale);
+                                         CheckedQuantityKind::distance, distance,
+                                         tolerances.deterministic, scale);
     };
-    part.begin_part(QuantityKind::distance);
+    part.begin_part(CheckedQuantityKind::distance);
     CheckedQuantity& l1 = add("L1", d.l1, 1);
     for (const auto* end : {a, b}) {
       if (end == nullptr) continue;
@@ -137,7 +139,7 @@ CheckedQuantities distance_quantities(const results::CaseResult& case_result,
           l1, measured ? transform::smallest_known_sampling_errors(*end) : end->sampling,
           pair.variable, tolerances);
     }
-    const bool has_sampling_error = l1.kind == QuantityKind::simulated_l1;
+    const bool has_sampling_error = l1.kind == CheckedQuantityKind::simulated_l1;
     const auto* measure = b != nullptr && b->smooth_sampling ? b : a;
     if (pair.l1_standard_error && measure != nullptr) {
       add_l1_standard_error(pair, *measure, tolerances, part);
@@ -156,7 +158,7 @@ CheckedQuantities distance_quantities(const results::CaseResult& case_result,
 
 CheckedQuantities budget_quantities(const results::CaseResult& case_result,
                                     const results::CaseResult& case_in_other_run,
-                                    const CheckTolerances& tolerances) {
+                                    const BaselineCheckTolerances& tolerances) {
   CheckedQuantities quantities;
   for (const ErrorBudgetRow& row : case_result.budget) {
     const auto *end = case_result.find(row.reference),

@@ -43,9 +43,10 @@ double bin_standard_error(const DensityCurve& curve, std::size_t k) {
 
 // Returns the bin of a marginal density with the largest change between two runs. In simulations
 // only bins with sufficiently narrow confidence intervals in the two runs are compared.
-QuantityChange compare_density_bins(QuantityChange quantity_change, const DensityCurve& was,
-                                    const DensityCurve& is, bool has_sampling_error,
-                                    const CheckTolerances& tolerances) {
+CheckedQuantityChange compare_density_bins(CheckedQuantityChange quantity_change,
+                                           const DensityCurve& was, const DensityCurve& is,
+                                           bool has_sampling_error,
+                                           const BaselineCheckTolerances& tolerances) {
   const double peak = std::ranges::max(was.density);
   std::size_t compared = 0;
   quantity_change.change = -1;
@@ -67,7 +68,8 @@ QuantityChange compare_density_bins(QuantityChange quantity_change, const Densit
     quantity_change.change = std::isnan(change) ? kInfinity : change;
   }
   quantity_change.change = std::max(quantity_change.change, 0.0);
-  quantity_change.kind = has_sampling_error ? QuantityKind::simulated_bin : QuantityKind::marginal;
+  quantity_change.kind =
+      has_sampling_error ? CheckedQuantityKind::simulated_bin : CheckedQuantityKind::marginal;
   quantity_change.allowed =
       has_sampling_error ? tolerances.bonferroni_threshold(compared) : tolerances.deterministic;
   return quantity_change;
@@ -83,29 +85,29 @@ double l1_distance(const DensityCurve& was, const DensityCurve& is) {
 }
 
 CheckedQuantities l1_distance_quantity(const Solution& simulation, const DensityCurve& curve,
-                                       double l1, const CheckTolerances& tolerances) {
+                                       double l1, const BaselineCheckTolerances& tolerances) {
   CheckedQuantities quantities;
   CheckedQuantity& quantity =
       SolutionPartQuantityAppender{quantities, curve.solution, kWholeSolutionPart}
           .append_number_quantity(
               fmt::format("L1 {} to baseline", marginal_density_symbol(curve.variable)),
-              QuantityKind::simulated_l1, l1, 0);
+              CheckedQuantityKind::simulated_l1, l1, 0);
   set_tolerance_from_sampling_error(quantity, simulation.sampling, curve.variable, tolerances);
   return quantities;
 }
 
 }  // namespace
 
-std::vector<QuantityChange> marginal_changes(const results::CaseResult& baseline,
-                                             const results::CaseResult& now,
-                                             const CheckTolerances& tolerances) {
-  std::vector<QuantityChange> changes;
+std::vector<CheckedQuantityChange> marginal_changes(const results::CaseResult& baseline,
+                                                    const results::CaseResult& now,
+                                                    const BaselineCheckTolerances& tolerances) {
+  std::vector<CheckedQuantityChange> changes;
   const auto change_of_curve = [&](const DensityCurve& curve) {
-    return QuantityChange{
+    return CheckedQuantityChange{
         .case_name = baseline.name(),
         .solution = curve.solution,
         .name = marginal_density_symbol(curve.variable),
-        .kind = QuantityKind::marginal,
+        .kind = CheckedQuantityKind::marginal,
         .baseline = bin_range_text(baseline.marginal_curve(curve.solution, curve.variable)),
         .now = bin_range_text(now.marginal_curve(curve.solution, curve.variable)),
         .change = kInfinity,

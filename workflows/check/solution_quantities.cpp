@@ -20,14 +20,14 @@ using transform::Solution;
 using transform::SolverMetric;
 using transform::SolverMetricKind;
 
-void add_density_quantities(const Solution& s, const CheckTolerances& tolerances,
+void add_density_quantities(const Solution& s, const BaselineCheckTolerances& tolerances,
                             const SolutionPartQuantityAppender& density) {
-  const auto add = [&](const char* name, QuantityKind otherwise, double number, double error,
+  const auto add = [&](const char* name, CheckedQuantityKind otherwise, double number, double error,
                        double scale) {
     CheckedQuantity& quantity =
         density.append_number_quantity(name, otherwise, number, tolerances.deterministic, scale);
     if (!s.standard_errors) return;
-    quantity.kind = QuantityKind::simulated;
+    quantity.kind = CheckedQuantityKind::simulated;
     quantity.allowed = tolerances.standard_errors;
     quantity.error = error;
   };
@@ -36,27 +36,27 @@ void add_density_quantities(const Solution& s, const CheckTolerances& tolerances
     // The mean velocity E[y'] is 0 in every stationary state. Mean velocities below 1e-3 of the
     // standard deviation of y' are errors of the method, with rounding errors in their last digits.
     const double least = moment == size ? 0 : 1e-3 * std::sqrt(s.moments.*size);
-    add(symbol, QuantityKind::moment, s.moments.*moment, errors.moments.*moment,
+    add(symbol, CheckedQuantityKind::moment, s.moments.*moment, errors.moments.*moment,
         std::max(std::abs(s.moments.*moment), least));
   }
   for (const auto& atom : s.atoms) {
     const std::string name = fmt::format("probability of rest at y = {:g}", atom.y);
-    add(name.c_str(), QuantityKind::moment, atom.probability, atom.standard_error.value_or(0),
-        atom.probability);
+    add(name.c_str(), CheckedQuantityKind::moment, atom.probability,
+        atom.standard_error.value_or(0), atom.probability);
   }
-  add("mass", QuantityKind::mass, s.mass, standard_error_of_mass(s), 1);
-  add("energy residual", QuantityKind::energy, s.energy_residual, errors.energy_residual, 1);
+  add("mass", CheckedQuantityKind::mass, s.mass, standard_error_of_mass(s), 1);
+  add("energy residual", CheckedQuantityKind::energy, s.energy_residual, errors.energy_residual, 1);
   constexpr double kMinScale = 1e-6;
-  density.append_number_quantity("smallest density", QuantityKind::detail, s.min_density,
+  density.append_number_quantity("smallest density", CheckedQuantityKind::detail, s.min_density,
                                  tolerances.deterministic,
                                  std::max(std::abs(s.min_density), kMinScale));
 }
 
-void add_error_estimates(const Solution& s, const CheckTolerances& tolerances,
+void add_error_estimates(const Solution& s, const BaselineCheckTolerances& tolerances,
                          const SolutionPartQuantityAppender& stated) {
   const auto add = [&](const std::string& of, double error, double least) {
     constexpr double kMinErrorScale = 0.1;  // default of transform::SolverMetric::min_scale
-    stated.append_number_quantity("error of " + of, QuantityKind::detail, error,
+    stated.append_number_quantity("error of " + of, CheckedQuantityKind::detail, error,
                                   tolerances.deterministic,
                                   std::max({std::abs(error), least, kMinErrorScale}));
   };
@@ -72,7 +72,8 @@ void add_error_estimates(const Solution& s, const CheckTolerances& tolerances,
 void add_standard_error_quantities(const transform::MomentStandardErrors& errors,
                                    const SolutionPartQuantityAppender& part) {
   const auto add = [&](const std::string& of, double error) {
-    part.append_number_quantity("standard error of " + of, QuantityKind::simulated_error, error, 1);
+    part.append_number_quantity("standard error of " + of, CheckedQuantityKind::simulated_error,
+                                error, 1);
   };
   for (const auto& [name, symbol, moment, size] : transform::kMoments)
     add(symbol, errors.moments.*moment);
@@ -84,7 +85,7 @@ void add_sampling_error_quantities(const transform::MarginalSamplingErrors& samp
   for (const auto variable : transform::kVariables) {
     const auto add = [&](const std::string& which, const std::optional<double>& l1) {
       part.append_number_quantity(part.name + which + marginal_density_symbol(variable),
-                                  QuantityKind::simulated_error,
+                                  CheckedQuantityKind::simulated_error,
                                   l1.value_or(std::numeric_limits<double>::quiet_NaN()), 1);
     };
     add(" of ", expected_l1_error(sampling, variable));
@@ -110,7 +111,7 @@ std::string path_without_indices(const std::string& path) {
 
 class MetricQuantityAppender {
  public:
-  MetricQuantityAppender(const Metrics& metrics, const CheckTolerances& tolerances,
+  MetricQuantityAppender(const Metrics& metrics, const BaselineCheckTolerances& tolerances,
                          const SolutionPartQuantityAppender& whole)
       : metrics_(metrics), tolerances_(tolerances), whole_(whole) {
     for (const auto& metric : metrics) {
@@ -131,7 +132,7 @@ class MetricQuantityAppender {
     for (const auto& metric : metrics_) {
       if (metric.kind == SolverMetricKind::coefficient) {
         const double a = finite_number_or_nan(metric.value);
-        whole_.append_number_quantity(coefficient_name(metric), QuantityKind::coefficient, a,
+        whole_.append_number_quantity(coefficient_name(metric), CheckedQuantityKind::coefficient, a,
                                       tolerances_.coefficient_tolerance(),
                                       std::max(std::abs(a), metric.min_scale));
       } else if (metric.kind == SolverMetricKind::result &&
@@ -141,14 +142,15 @@ class MetricQuantityAppender {
                  !standard_error_paths_.contains(metric.path)) {
         // The number of effectively independent samples is proportional to the inverse square of
         // the standard error.
-        whole_.append_number_quantity(metric.path, QuantityKind::simulated_error,
+        whole_.append_number_quantity(metric.path, CheckedQuantityKind::simulated_error,
                                       finite_number_or_nan(metric.value), 2);
       }
     }
     const auto own = std::span(whole_.quantities).subspan(first);
-    const auto values = std::ranges::count(own, QuantityKind::simulated, &CheckedQuantity::kind);
+    const auto values =
+        std::ranges::count(own, CheckedQuantityKind::simulated, &CheckedQuantity::kind);
     for (CheckedQuantity& quantity : own) {
-      if (quantity.kind != QuantityKind::simulated) continue;
+      if (quantity.kind != CheckedQuantityKind::simulated) continue;
       quantity.allowed = tolerances_.bonferroni_threshold(static_cast<std::size_t>(values));
     }
   }
@@ -176,7 +178,7 @@ class MetricQuantityAppender {
       const auto list = list_entries_.find(name);
       const std::string length =
           list == list_entries_.end() ? "there" : fmt::format("{} entries", list->second.size());
-      result.begin_part(QuantityKind::detail, length, outer.name);
+      result.begin_part(CheckedQuantityKind::detail, length, outer.name);
     }
     return result;
   }
@@ -190,7 +192,7 @@ class MetricQuantityAppender {
     } else if (std::holds_alternative<double>(metric.value) ||
                std::holds_alternative<std::int64_t>(metric.value)) {
       in.append_number_quantity(
-          metric.path, QuantityKind::detail, number,
+          metric.path, CheckedQuantityKind::detail, number,
           metric.is_rounding_sensitive ? tolerances_.tail_tolerance() : tolerances_.deterministic,
           std::max(std::abs(number), metric.min_scale));
     } else {
@@ -203,18 +205,18 @@ class MetricQuantityAppender {
     const SolverMetric* error = find_metric(metrics_, metric.standard_error_path);
     const double standard_error = error == nullptr ? std::numeric_limits<double>::quiet_NaN()
                                                    : finite_number_or_nan(error->value);
-    in.append_number_quantity(metric.path, QuantityKind::simulated,
+    in.append_number_quantity(metric.path, CheckedQuantityKind::simulated,
                               finite_number_or_nan(metric.value), 0)
         .error = standard_error;
     // The standard error of a rounding-sensitive value comes from few events, and is as uncertain
     // as the value.
     if (error == nullptr || metric.is_rounding_sensitive) return;
-    in.append_number_quantity("error of " + metric.path, QuantityKind::simulated_error,
+    in.append_number_quantity("error of " + metric.path, CheckedQuantityKind::simulated_error,
                               standard_error, 1);
   }
 
   const Metrics& metrics_;
-  const CheckTolerances& tolerances_;
+  const BaselineCheckTolerances& tolerances_;
   const SolutionPartQuantityAppender& whole_;
   std::set<std::string> standard_error_paths_, coefficient_terms_, opened_parts_;
   /// Elements of each list of metrics, by the path of the list.
@@ -223,11 +225,12 @@ class MetricQuantityAppender {
 
 }  // namespace
 
-CheckedQuantities solution_quantities(const Solution& s, const CheckTolerances& tolerances) {
+CheckedQuantities solution_quantities(const Solution& s,
+                                      const BaselineCheckTolerances& tolerances) {
   CheckedQuantities quantities;
   const auto part = [&](const char* name, const char* value = "there") {
-    return SolutionPartQuantityAppender{quantities, s.id(), name}.begin_part(QuantityKind::status,
-                                                                             value);
+    return SolutionPartQuantityAppender{quantities, s.id(), name}.begin_part(
+        CheckedQuantityKind::status, value);
   };
   const SolutionPartQuantityAppender whole = part(kWholeSolutionPart);
   whole.append_word_quantity("equation", equation_and_impact_text(s.identity));
@@ -245,21 +248,21 @@ CheckedQuantities solution_quantities(const Solution& s, const CheckTolerances& 
   // For standard errors, add_metric_quantities() stores an exponent in the member `allowed`. The
   // loop replaces the exponent in `allowed` by the tolerance, adjusted for multiple comparisons.
   const auto errors =
-      std::ranges::count(quantities, QuantityKind::simulated_error, &CheckedQuantity::kind);
+      std::ranges::count(quantities, CheckedQuantityKind::simulated_error, &CheckedQuantity::kind);
   for (CheckedQuantity& quantity : quantities) {
-    if (quantity.kind != QuantityKind::simulated_error) continue;
+    if (quantity.kind != CheckedQuantityKind::simulated_error) continue;
     quantity.allowed = standard_error_change_tolerance(s, static_cast<std::size_t>(errors),
                                                        quantity.allowed, tolerances);
   }
   return quantities;
 }
 
-void add_metric_quantities(const Metrics& metrics, const CheckTolerances& tolerances,
+void add_metric_quantities(const Metrics& metrics, const BaselineCheckTolerances& tolerances,
                            const SolutionPartQuantityAppender& whole) {
   MetricQuantityAppender(metrics, tolerances, whole).append_all_metrics();
 }
 
-Metrics copy_metric_kinds(Metrics baseline, const Metrics& now) {
+Metrics copy_metric_kinds_from_repeated_run(Metrics baseline, const Metrics& now) {
   std::set<std::string> ignored_paths;
   for (const auto& metric : now) {
     if (metric.kind == SolverMetricKind::work || metric.kind == SolverMetricKind::text)

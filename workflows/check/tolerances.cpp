@@ -25,7 +25,7 @@ constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-double CheckTolerances::bonferroni_threshold(std::size_t comparison_count) const {
+double BaselineCheckTolerances::bonferroni_threshold(std::size_t comparison_count) const {
   const double rare = std::erfc(standard_errors / std::numbers::sqrt2);
   return std::numbers::sqrt2 *
          boost::math::erfc_inv(
@@ -33,7 +33,7 @@ double CheckTolerances::bonferroni_threshold(std::size_t comparison_count) const
                       std::numeric_limits<double>::min()));
 }
 
-void validate(const CheckTolerances& tolerances) {
+void validate(const BaselineCheckTolerances& tolerances) {
   require_positive(tolerances.deterministic, "--tolerance");
   require_positive(tolerances.standard_errors, "--standard-errors");
 }
@@ -58,19 +58,19 @@ double standard_error_of_mass(const Solution& solution) {
 
 void set_tolerance_from_sampling_error(
     CheckedQuantity& quantity, const std::optional<transform::MarginalSamplingErrors>& sampling,
-    transform::StateVariable variable, const CheckTolerances& tolerances) {
+    transform::StateVariable variable, const BaselineCheckTolerances& tolerances) {
   if (!sampling) return;
   const auto error = expected_l1_error(*sampling, variable);
   const auto most = l1_error_quantile_99(*sampling, variable);
   if (!error || !most) return;
-  quantity.kind = QuantityKind::simulated_l1;
+  quantity.kind = CheckedQuantityKind::simulated_l1;
   quantity.allowed = tolerances.standard_errors;
   quantity.error += *error;
   quantity.quantile_99 += *most;
 }
 
 double standard_error_change_tolerance(const Solution& simulation, std::size_t number_of_errors,
-                                       double power, const CheckTolerances& tolerances) {
+                                       double power, const BaselineCheckTolerances& tolerances) {
   // Ratios of standard errors have heavier tails than the normal law. The measurement of the factor
   // 1.25 is in docs/checking.md.
   constexpr double kHeavyTailFactor = 1.25;

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "transform/solution.hpp"
-#include "workflows/check/quantity.hpp"
+#include "workflows/check/compared_quantity.hpp"
 
 /// Tolerances of `fpkcheck check`. In this file, a simulation is any solution that states standard
 /// errors.
@@ -12,7 +12,7 @@ namespace fpkcheck::check {
 
 /// Tolerances of changes between two runs. The default tolerances follow from the measurements in
 /// docs/checking.md.
-struct CheckTolerances {
+struct BaselineCheckTolerances {
   /// Tolerance for deterministic quantities: relative for moments, absolute for mass and energy
   /// residual, and as a fraction of the peak for densities. The tolerance of distances is in
   /// standard deviations of the variable. Rounding errors change deterministic quantities by up to
@@ -35,7 +35,7 @@ struct CheckTolerances {
 };
 
 /// @throws InputError with the name of the option whose value is not a positive number
-void validate(const CheckTolerances& tolerances);
+void validate(const BaselineCheckTolerances& tolerances);
 
 /// Path of the metric with the number of independent streams of a simulation.
 inline constexpr const char* kStreamsMetric = "streams";
@@ -57,7 +57,7 @@ double standard_error_of_mass(const transform::Solution& solution);
 /// error. Without a known sampling error the quantity remains unchanged.
 void set_tolerance_from_sampling_error(
     CheckedQuantity& quantity, const std::optional<transform::MarginalSamplingErrors>& sampling,
-    transform::StateVariable variable, const CheckTolerances& tolerances);
+    transform::StateVariable variable, const BaselineCheckTolerances& tolerances);
 
 /// Returns the allowed change between two runs of error^power, expressed as the ratio minus 1. A
 /// standard error from n streams has the relative standard deviation 1 / sqrt(2 (n - 1)). The ratio
@@ -66,6 +66,6 @@ void set_tolerance_from_sampling_error(
 /// of their changes
 double standard_error_change_tolerance(const transform::Solution& simulation,
                                        std::size_t number_of_errors, double power,
-                                       const CheckTolerances& tolerances);
+                                       const BaselineCheckTolerances& tolerances);
 
 }  // namespace fpkcheck::check

@@ -32,7 +32,7 @@ std::string marginal_density_names(const PaperClaim& claim) {
 // Each table row has the cases, panels, variables, closure order n, relation, order of the rival
 // closure, and quotation of a claim.
 const std::vector<PaperClaim>& paper_claims() {
-  using enum ClaimedRelation;
+  using enum PaperClaimRelation;
   static const std::vector<PaperClaim> all{
       // Claims in section 3.1 of the paper
       {kAll, "abcd", kBoth, 2, is_linearisation, 0,

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/options/enum_names.hpp"
-#include "transform/marginal.hpp"
+#include "transform/marginal_density.hpp"
 
 /// Claims of the paper *Stochastic response of a vibro-impact Duffing system under external Poisson
 /// impulses*, whose method this project checks. The claims of the paper concern the four cases in
@@ -14,7 +14,7 @@
 namespace fpkcheck::paper {
 
 /// Relation between a closure and the simulation that a claim of the paper states.
-enum class ClaimedRelation {
+enum class PaperClaimRelation {
   agrees,                  ///< L1 and tail are both within the limits of agreement
   agrees_in_tail,          ///< the tail is within the limit of agreement
   differs,                 ///< L1 or tail exceeds the limit of agreement
@@ -27,21 +27,21 @@ enum class ClaimedRelation {
   not_found                ///< plain Newton steps from equivalent linearisation find no root
 };
 /// Name of each claimed relation in files, and the text of a claim with this relation.
-inline constexpr base::EnumEntry<ClaimedRelation> kRelationNames[] = {
-    {ClaimedRelation::agrees, "agrees", "n={n} agrees with MCS in {p}"},
-    {ClaimedRelation::agrees_in_tail, "agrees_in_tail", "n={n} agrees in the tail of {p}"},
-    {ClaimedRelation::differs, "differs", "n={n} differs from MCS in {p}"},
-    {ClaimedRelation::differs_in_tail, "differs_in_tail", "n={n} differs in the tail of {p}"},
-    {ClaimedRelation::closer, "closer", "n={n} is better than n={rival} in {p}"},
-    {ClaimedRelation::closer_in_l1, "closer_in_l1", "n={n} is better than n={rival} in {p}, L1"},
-    {ClaimedRelation::closer_in_tail, "closer_in_tail",
+inline constexpr base::EnumEntry<PaperClaimRelation> kRelationNames[] = {
+    {PaperClaimRelation::agrees, "agrees", "n={n} agrees with MCS in {p}"},
+    {PaperClaimRelation::agrees_in_tail, "agrees_in_tail", "n={n} agrees in the tail of {p}"},
+    {PaperClaimRelation::differs, "differs", "n={n} differs from MCS in {p}"},
+    {PaperClaimRelation::differs_in_tail, "differs_in_tail", "n={n} differs in the tail of {p}"},
+    {PaperClaimRelation::closer, "closer", "n={n} is better than n={rival} in {p}"},
+    {PaperClaimRelation::closer_in_l1, "closer_in_l1", "n={n} is better than n={rival} in {p}, L1"},
+    {PaperClaimRelation::closer_in_tail, "closer_in_tail",
      "n={n} is better than n={rival} in {p}, tail"},
-    {ClaimedRelation::further_than_in_case_1, "further_than_in_case_1",
+    {PaperClaimRelation::further_than_in_case_1, "further_than_in_case_1",
      "{p} is less Gaussian than in case 1"},
-    {ClaimedRelation::is_linearisation, "is_linearisation", "n={n} is equivalent linearisation"},
-    {ClaimedRelation::not_found, "not_found", "n={n} is not found by Newton's method"}};
-constexpr const auto& enumerator_names(ClaimedRelation) { return kRelationNames; }
-constexpr std::string_view name(ClaimedRelation relation) { return base::name_of(relation); }
+    {PaperClaimRelation::is_linearisation, "is_linearisation", "n={n} is equivalent linearisation"},
+    {PaperClaimRelation::not_found, "not_found", "n={n} is not found by Newton's method"}};
+constexpr const auto& enumerator_names(PaperClaimRelation) { return kRelationNames; }
+constexpr std::string_view name(PaperClaimRelation relation) { return base::name_of(relation); }
 
 /// A statement of the paper that measured numbers can support or contradict.
 struct PaperClaim {
@@ -53,7 +53,7 @@ struct PaperClaim {
   /// Variables (displacement, velocity) for each of which the claim must hold.
   std::vector<transform::StateVariable> variables;
   int order;  ///< order n of the closure
-  ClaimedRelation relation;
+  PaperClaimRelation relation;
   int rival;          ///< order n of a second closure with which the relation compares; 0 if none
   std::string quote;  ///< quotation from the paper, with additions in [..]
 

@@ -1,4 +1,4 @@
-#include "workflows/paper/supplement.hpp"
+#include "workflows/paper/claims_supplement.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "results/json.hpp"
+#include "results/json_conversions.hpp"
 #include "results/marginals_csv.hpp"
 #include "results/run_json.hpp"
+#include "workflows/paper/claim_criteria.hpp"
 #include "workflows/paper/claims_table.hpp"
-#include "workflows/paper/criteria.hpp"
 
 namespace fpkcheck::paper {
 namespace {
@@ -27,17 +27,17 @@ std::string csv_number_text(const std::optional<double>& number) {
   return number ? fmt::format("{:.6g}", *number) : "";
 }
 
-std::string csv_limit_text(const MeasuredClaimNumber& of) {
+std::string csv_limit_text(const PaperClaimMeasurement& of) {
   return of.limit ? fmt::format("{} {:.6g}", of.above ? ">" : "<=", *of.limit) : "";
 }
 
-Json measured_number_json(const MeasuredClaimNumber& of) {
+Json measured_number_json(const PaperClaimMeasurement& of) {
   Json json{{"value", results::number_or_null_json(of.value)}};
   json["wanted"] = of.limit ? Json{{of.above ? "above" : "at_most", *of.limit}} : Json();
   return json;
 }
 
-Json claim_judgement_json(const ClaimJudgement& judgement) {
+Json claim_judgement_json(const PaperClaimJudgement& judgement) {
   const PaperClaim& claim = judgement.claim;
   Json figures = Json::array();
   for (const int number : claim.cases) {
@@ -60,7 +60,7 @@ Json claim_judgement_json(const ClaimJudgement& judgement) {
           {"note", judgement.note}};
 }
 
-void add_claims(std::span<const ClaimJudgement> judgements, Json& json) {
+void add_claims(std::span<const PaperClaimJudgement> judgements, Json& json) {
   json["criteria"] = {{"agreement_l1", kMaxL1OfClaimedAgreement},
                       {"agreement_in_tail", kMaxTailDistanceOfClaimedAgreement},
                       {"same_gaussian_l1", kMaxL1BetweenEqualGaussians}};
@@ -70,7 +70,7 @@ void add_claims(std::span<const ClaimJudgement> judgements, Json& json) {
 
 }  // namespace
 
-std::string claims_csv(std::span<const ClaimJudgement> judgements) {
+std::string claims_csv(std::span<const PaperClaimJudgement> judgements) {
   std::string text =
       "case,figure,claim,n,density,relation,rival,l1,l1_wanted,tail,tail_wanted,status,outcome,note,"
       "quote\n";
@@ -98,14 +98,14 @@ std::string claims_csv(std::span<const ClaimJudgement> judgements) {
   return text;
 }
 
-std::string claims_json(std::span<const ClaimJudgement> judgements,
+std::string claims_json(std::span<const PaperClaimJudgement> judgements,
                         const results::ProgramInfo& program) {
   Json json{{"schema", results::kSummarySchema}, {"program", results::program_to_json(program)}};
   add_claims(judgements, json);
   return results::serialise_json(results::replace_non_finite_by_null(json));
 }
 
-std::string summary_json_with_claims(std::span<const ClaimJudgement> judgements,
+std::string summary_json_with_claims(std::span<const PaperClaimJudgement> judgements,
                                      const results::Run& run) {
   Json json = Json::parse(results::run_summary_text(run));
   add_claims(judgements, json);

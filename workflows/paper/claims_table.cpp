@@ -11,7 +11,7 @@
 
 #include "report/text/number_text.hpp"
 #include "report/text/text_layout.hpp"
-#include "workflows/paper/criteria.hpp"
+#include "workflows/paper/claim_criteria.hpp"
 #include "workflows/paper/judge_claims.hpp"
 
 namespace fpkcheck::paper {
@@ -20,22 +20,22 @@ namespace {
 using report::kAlwaysShown;
 using report::TextTableColumn;
 
-std::string limit_text(const MeasuredClaimNumber& of, const std::string& limit) {
+std::string limit_text(const PaperClaimMeasurement& of, const std::string& limit) {
   return limit.empty() ? "" : fmt::format("{} {}", of.above ? ">" : "<=", limit);
 }
 
 // The relation `differs` holds if the L1 distance or the tail distance exceeds its limit.
-std::string tail_limit_text(const ClaimJudgement& judgement) {
+std::string tail_limit_text(const PaperClaimJudgement& judgement) {
   const std::string text = limit_text(judgement.tail, tail_distance_text(judgement.tail.limit));
-  return judgement.claim.relation == ClaimedRelation::differs && !text.empty() ? "or " + text
-                                                                               : text;
+  return judgement.claim.relation == PaperClaimRelation::differs && !text.empty() ? "or " + text
+                                                                                  : text;
 }
 
 std::string cell_or_dash(const std::string& cell) {
   return cell.empty() ? std::string(report::kMissingCell) : cell;
 }
 
-std::string claim_rows_text(std::span<const ClaimJudgement> judgements,
+std::string claim_rows_text(std::span<const PaperClaimJudgement> judgements,
                             const report::TerminalTextFormat& format) {
   constexpr int kLimits = 1;
   std::vector<TextTableColumn> columns{{"", "case", true, kAlwaysShown},
@@ -56,7 +56,8 @@ std::string claim_rows_text(std::span<const ClaimJudgement> judgements,
 
 // Returns the claims of the paper with a given outcome. Each claim occurs once, with the cases that
 // have this outcome, e.g. "n=6 agrees with MCS in p(y) (case 1, 2)".
-std::string claims_with_outcome(std::span<const ClaimJudgement> judgements, ClaimOutcome outcome) {
+std::string claims_with_outcome(std::span<const PaperClaimJudgement> judgements,
+                                PaperClaimOutcome outcome) {
   std::vector<std::pair<std::string, std::string>> claims;
   for (const auto& judgement : judgements) {
     if (judgement.outcome != outcome) continue;
@@ -77,8 +78,8 @@ std::string claims_with_outcome(std::span<const ClaimJudgement> judgements, Clai
 
 }  // namespace
 
-std::vector<ClaimTableRow> claim_table_rows(std::span<const ClaimJudgement> judgements) {
-  std::vector<ClaimTableRow> all;
+std::vector<PaperClaimTableRow> claim_table_rows(std::span<const PaperClaimJudgement> judgements) {
+  std::vector<PaperClaimTableRow> all;
   for (const auto& judgement : judgements) {
     all.push_back({.cases = claim_cases_text(judgement.claim),
                    .figure = claim_figure_text(judgement.claim),
@@ -92,16 +93,16 @@ std::vector<ClaimTableRow> claim_table_rows(std::span<const ClaimJudgement> judg
   return all;
 }
 
-std::vector<std::string> claim_notes(std::span<const ClaimJudgement> judgements) {
+std::vector<std::string> claim_notes(std::span<const PaperClaimJudgement> judgements) {
   std::set<std::pair<int, int>> quoted_closures;  // case and order n of a closure
   std::vector<std::string> lines;
   for (const auto& judgement : judgements) {
-    const bool is_search = judgement.claim.relation == ClaimedRelation::not_found;
+    const bool is_search = judgement.claim.relation == PaperClaimRelation::not_found;
     if (judgement.note.empty() && !is_search) continue;
     std::string line = fmt::format("case {}, {}: {}", claim_cases_text(judgement.claim),
                                    claim_text(judgement.claim), name(judgement.outcome));
     if (!judgement.note.empty()) {
-      line += fmt::format("{} {}", judgement.outcome == ClaimOutcome::qualified ? "" : ":",
+      line += fmt::format("{} {}", judgement.outcome == PaperClaimOutcome::qualified ? "" : ":",
                           judgement.note);
     }
     const bool shows_reason = is_search || judgement.status == transform::Status::inadmissible;
@@ -145,10 +146,10 @@ std::string claim_figure_text(const PaperClaim& claim) {
                        : fmt::format("{}-{}", first, last);
 }
 
-std::string claim_count_sentence(std::span<const ClaimJudgement> judgements) {
+std::string claim_count_sentence(std::span<const PaperClaimJudgement> judgements) {
   std::vector<std::string> parts;
   for (const auto& [outcome, name, meaning] : kOutcomeNames) {
-    const auto count = std::ranges::count(judgements, outcome, &ClaimJudgement::outcome);
+    const auto count = std::ranges::count(judgements, outcome, &PaperClaimJudgement::outcome);
     if (count == 0) continue;
     parts.push_back(meaning.empty() ? fmt::format("{} {}", count, name)
                                     : fmt::format("{} {} ({})", count, name, meaning));
@@ -156,10 +157,10 @@ std::string claim_count_sentence(std::span<const ClaimJudgement> judgements) {
   return fmt::format("{} claims of the paper: {}.", judgements.size(), fmt::join(parts, "; "));
 }
 
-std::vector<std::string> claim_outcome_summary(std::span<const ClaimJudgement> judgements) {
+std::vector<std::string> claim_outcome_summary(std::span<const PaperClaimJudgement> judgements) {
   std::vector<std::string> sentences{claim_count_sentence(judgements)};
-  for (const auto outcome :
-       {ClaimOutcome::qualified, ClaimOutcome::not_established, ClaimOutcome::unjudged}) {
+  for (const auto outcome : {PaperClaimOutcome::qualified, PaperClaimOutcome::not_established,
+                             PaperClaimOutcome::unjudged}) {
     const std::string claims = claims_with_outcome(judgements, outcome);
     if (claims.empty()) continue;
     std::string subject(name(outcome));
@@ -169,7 +170,7 @@ std::vector<std::string> claim_outcome_summary(std::span<const ClaimJudgement> j
   return sentences;
 }
 
-std::string claims_table_text(std::span<const ClaimJudgement> judgements,
+std::string claims_table_text(std::span<const PaperClaimJudgement> judgements,
                               const report::TerminalTextFormat& format) {
   std::string text = claim_rows_text(judgements, format);
   for (const auto& line : claim_notes(judgements)) {

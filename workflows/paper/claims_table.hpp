@@ -11,30 +11,30 @@ namespace fpkcheck::paper {
 
 /// Returns the terminal text on the claims: a row for each claim, notes on claims that are not
 /// `established`, the criteria, and a closing sentence.
-std::string claims_table_text(std::span<const ClaimJudgement> judgements,
+std::string claims_table_text(std::span<const PaperClaimJudgement> judgements,
                               const report::TerminalTextFormat& format = {});
 
 /// Texts of the table cells of a claim of the paper; missing values are empty texts.
-struct ClaimTableRow {
+struct PaperClaimTableRow {
   std::string cases, figure, claim, l1, l1_limit, tail, tail_limit, outcome;
 };
-std::vector<ClaimTableRow> claim_table_rows(std::span<const ClaimJudgement> judgements);
+std::vector<PaperClaimTableRow> claim_table_rows(std::span<const PaperClaimJudgement> judgements);
 
 /// Returns one line of text for each claim whose outcome is not `established`. The first line about
 /// a closure quotes the reason for the status of the closure.
-std::vector<std::string> claim_notes(std::span<const ClaimJudgement> judgements);
+std::vector<std::string> claim_notes(std::span<const PaperClaimJudgement> judgements);
 
 /// Returns sentences that define the terms of the claims by the limits in
-/// workflows/paper/criteria.hpp.
+/// workflows/paper/claim_criteria.hpp.
 std::vector<std::string> claim_criteria_sentences();
 
 /// Returns the closing sentence, and for each outcome other than `established` a sentence that
 /// lists the claims with this outcome.
-std::vector<std::string> claim_outcome_summary(std::span<const ClaimJudgement> judgements);
+std::vector<std::string> claim_outcome_summary(std::span<const PaperClaimJudgement> judgements);
 
 /// Returns a sentence with the number of claims for each outcome: "44 claims of the paper: 36
 /// established, ..".
-std::string claim_count_sentence(std::span<const ClaimJudgement> judgements);
+std::string claim_count_sentence(std::span<const PaperClaimJudgement> judgements);
 
 /// Texts of the cases of a claim, e.g. "1" or "1-4", and of its figures, e.g. "2ab" or "2-5". If no
 /// figure of the paper shows the claim, the text of the figures is empty.

@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "report/text/number_text.hpp"
-#include "workflows/paper/criteria.hpp"
-#include "workflows/paper/distances.hpp"
+#include "workflows/paper/claim_criteria.hpp"
+#include "workflows/paper/closure_distances.hpp"
 
 namespace fpkcheck::paper {
 namespace {
@@ -17,18 +17,18 @@ using results::CaseResult;
 using transform::Solution;
 using transform::Status;
 
-class ClaimJudge {
+class PaperClaimJudge {
  public:
-  ClaimJudge(const results::Run& run, const PaperClaim& claim)
+  PaperClaimJudge(const results::Run& run, const PaperClaim& claim)
       : run_(run), judgement_{.claim = claim} {}
 
-  ClaimJudgement make_judgement() {
+  PaperClaimJudgement make_judgement() {
     store_closure_status();
     const std::optional<bool> holds = missing_reason_.empty() ? evaluate_claim() : std::nullopt;
     if (!holds) {
-      judgement_.outcome = ClaimOutcome::unjudged;
+      judgement_.outcome = PaperClaimOutcome::unjudged;
       judgement_.note = missing_reason_;
-    } else if (claim().relation == ClaimedRelation::not_found) {
+    } else if (claim().relation == PaperClaimRelation::not_found) {
       judge_root_search(*holds);
     } else {
       judge_distances(*holds);
@@ -67,8 +67,9 @@ class ClaimJudge {
 
   // Returns the maxima of L1 distance and tail distance over the given cases and over the variables
   // of the claim.
-  std::optional<ClosureDistance> largest_distance(int order, const std::vector<int>& cases) {
-    ClosureDistance worst;
+  std::optional<ClosureDistanceFromSimulation> largest_distance(int order,
+                                                                const std::vector<int>& cases) {
+    ClosureDistanceFromSimulation worst;
     for (const int number : cases) {
       const CaseResult* case_result = find_case(number);
       if (case_result == nullptr) return std::nullopt;
@@ -83,7 +84,7 @@ class ClaimJudge {
   }
 
   // Returns whether the tail distance exists, and otherwise sets the reason for the missing value.
-  bool require_tail_distance(const ClosureDistance& distance) {
+  bool require_tail_distance(const ClosureDistanceFromSimulation& distance) {
     if (!std::isnan(distance.tail)) return true;
     missing_reason_ = "no bin of the tail is positive and resolved in all solutions";
     return false;
@@ -91,8 +92,8 @@ class ClaimJudge {
 
   // Returns whether a claim of the paper holds; empty if a required number is missing.
   std::optional<bool> evaluate_claim() {
-    using enum ClaimedRelation;
-    const ClaimedRelation relation = claim().relation;
+    using enum PaperClaimRelation;
+    const PaperClaimRelation relation = claim().relation;
     if (relation == not_found) return !plain_newton_converges();
     if (relation == is_linearisation) return equals_linearised_gaussian();
 
@@ -114,8 +115,8 @@ class ClaimJudge {
     const bool uses_tail = relation != closer_in_l1;
     if (uses_tail && !require_tail_distance(*closure_distance)) return std::nullopt;
     const bool differ = relation == differs || relation == differs_in_tail;
-    ClosureDistance limit{.l1 = kMaxL1OfClaimedAgreement,
-                          .tail = kMaxTailDistanceOfClaimedAgreement};
+    ClosureDistanceFromSimulation limit{.l1 = kMaxL1OfClaimedAgreement,
+                                        .tail = kMaxTailDistanceOfClaimedAgreement};
     if (claim().rival != 0) {
       const auto rival = largest_distance(claim().rival, claim().cases);
       if (!rival || (uses_tail && !require_tail_distance(*rival))) return std::nullopt;
@@ -161,7 +162,8 @@ class ClaimJudge {
   }
 
   void judge_root_search(bool holds) {
-    judgement_.outcome = holds ? ClaimOutcome::established : ClaimOutcome::not_established;
+    judgement_.outcome =
+        holds ? PaperClaimOutcome::established : PaperClaimOutcome::not_established;
     if (judgement_.status == Status::not_converged) return;
     judgement_.note = fmt::format("{} a root{}",
                                   holds ? "plain Newton steps find no root, but other methods find"
@@ -170,12 +172,13 @@ class ClaimJudge {
   }
 
   void judge_distances(bool holds) {
-    judgement_.outcome = holds ? ClaimOutcome::established : ClaimOutcome::not_established;
-    const bool claims_accuracy = claim().relation != ClaimedRelation::differs &&
-                                 claim().relation != ClaimedRelation::differs_in_tail;
+    judgement_.outcome =
+        holds ? PaperClaimOutcome::established : PaperClaimOutcome::not_established;
+    const bool claims_accuracy = claim().relation != PaperClaimRelation::differs &&
+                                 claim().relation != PaperClaimRelation::differs_in_tail;
     if (!holds) judgement_.note = unmet_limits_text();
     if (!claims_accuracy || !is_inadmissible()) return;
-    if (holds) judgement_.outcome = ClaimOutcome::qualified;
+    if (holds) judgement_.outcome = PaperClaimOutcome::qualified;
     judgement_.note += fmt::format("{}n={} {}", holds ? "" : "; and ", claim().order, kNoDensity);
   }
 
@@ -183,8 +186,8 @@ class ClaimJudge {
 
   std::string unmet_limits_text() const {
     std::string text;
-    const auto add = [&](const char* what, const MeasuredClaimNumber& of, const std::string& value,
-                         const std::string& limit) {
+    const auto add = [&](const char* what, const PaperClaimMeasurement& of,
+                         const std::string& value, const std::string& limit) {
       if (!of.limit || of.satisfies_limit()) return;
       text += fmt::format("{}{} {} is {} {}", text.empty() ? "" : ", ", what, value,
                           of.above ? "not above" : "above", limit);
@@ -199,15 +202,16 @@ class ClaimJudge {
       "solves its equations but is no probability density (inadmissible)";
 
   const results::Run& run_;
-  ClaimJudgement judgement_;
+  PaperClaimJudgement judgement_;
   std::string missing_reason_;
 };
 
 }  // namespace
 
-std::vector<ClaimJudgement> judge_claims(const results::Run& run) {
-  std::vector<ClaimJudgement> all;
-  for (const auto& claim : paper_claims()) all.push_back(ClaimJudge(run, claim).make_judgement());
+std::vector<PaperClaimJudgement> judge_claims(const results::Run& run) {
+  std::vector<PaperClaimJudgement> all;
+  for (const auto& claim : paper_claims())
+    all.push_back(PaperClaimJudge(run, claim).make_judgement());
   return all;
 }
 

@@ -12,18 +12,19 @@
 
 namespace fpkcheck::paper {
 
-enum class ClaimOutcome { established, qualified, not_established, unjudged };
+enum class PaperClaimOutcome { established, qualified, not_established, unjudged };
 /// Name of each outcome of a claim in files and tables, and the meaning of the outcome.
-inline constexpr base::EnumEntry<ClaimOutcome> kOutcomeNames[] = {
-    {ClaimOutcome::established, "established", "the run's numbers are as the claim states"},
-    {ClaimOutcome::qualified, "established, but",
+inline constexpr base::EnumEntry<PaperClaimOutcome> kOutcomeNames[] = {
+    {PaperClaimOutcome::established, "established", "the run's numbers are as the claim states"},
+    {PaperClaimOutcome::qualified, "established, but",
      "the numbers are as the claim states, but the solution is no probability density"},
-    {ClaimOutcome::not_established, "not established", "the numbers are not as the claim states"},
-    {ClaimOutcome::unjudged, "unjudged", "a number that decides the claim is missing"}};
-constexpr const auto& enumerator_names(ClaimOutcome) { return kOutcomeNames; }
-constexpr std::string_view name(ClaimOutcome outcome) { return base::name_of(outcome); }
+    {PaperClaimOutcome::not_established, "not established",
+     "the numbers are not as the claim states"},
+    {PaperClaimOutcome::unjudged, "unjudged", "a number that decides the claim is missing"}};
+constexpr const auto& enumerator_names(PaperClaimOutcome) { return kOutcomeNames; }
+constexpr std::string_view name(PaperClaimOutcome outcome) { return base::name_of(outcome); }
 
-struct MeasuredClaimNumber {
+struct PaperClaimMeasurement {
   std::optional<double> value{};
   std::optional<double> limit{};
   /// Whether the claim requires a value above the limit, instead of a value of at most the limit.
@@ -35,29 +36,29 @@ struct MeasuredClaimNumber {
 };
 
 /// Claim of the paper, the measured numbers that decide the claim, and the outcome.
-struct ClaimJudgement {
+struct PaperClaimJudgement {
   PaperClaim claim;
   /// Largest L1 distance between closure and simulation over the cases and variables of the claim.
   /// For the relation is_linearisation, `l1` is the L1 distance to the Gaussian of equivalent
   /// linearisation. If `l1` has no limit, tables show the L1 distance, which does not influence the
   /// outcome of the claim.
-  MeasuredClaimNumber l1{};
+  PaperClaimMeasurement l1{};
   /// Tail distance compare::ErrorBudgetRow::total_tail: mean |log10 p - log10 MCS| over the bins
   /// with an MCS density of 1e-5 .. 1e-3. The tail distance is infinite if the closure is 0 in a
   /// bin of the tail.
-  MeasuredClaimNumber tail{};
+  PaperClaimMeasurement tail{};
   /// Status of the closure in the first case in which this status is not `ok`; `ok` if no such case
   /// exists.
   std::optional<transform::Status> status{};
   std::string reason{};  ///< reason for a status of the closure other than `ok`
-  ClaimOutcome outcome = ClaimOutcome::unjudged;
+  PaperClaimOutcome outcome = PaperClaimOutcome::unjudged;
   std::string note{};  ///< explanation of the outcome of the claim; may be empty
 };
 
 /// Judges all claims of the paper by the total distances of the error budget.
 /// @param run run of the paper's cases by the methods kRequiredMethods. If a required number is
 /// missing, the outcome of the claim is `unjudged`.
-std::vector<ClaimJudgement> judge_claims(const results::Run& run);
+std::vector<PaperClaimJudgement> judge_claims(const results::Run& run);
 
 std::string l1_distance_text(const std::optional<double>& l1);
 std::string tail_distance_text(const std::optional<double>& tail);

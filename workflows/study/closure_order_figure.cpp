@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
+#include "report/figure/figure_layout.hpp"
 #include "report/figure/gnuplot.hpp"
-#include "report/figure/layout.hpp"
 #include "report/figure/script_text.hpp"
-#include "workflows/study/closure_order.hpp"
-#include "workflows/study/record.hpp"
+#include "workflows/study/closure_order_study.hpp"
+#include "workflows/study/study_record.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -20,9 +20,9 @@ report::FigurePanel distance_panel(const ClosureOrderStudy& study, const char* t
                                    StateVariable variable, double MarginalL1Distances::*distance) {
   int highest = 2;
   for (const auto& row : study.rows) highest = std::max(highest, row.order);
-  const auto series = make_empty_series(
-      study.rows, [](const ClosureOrderRow& row) { return row.formulation; },
-      [&](const ClosureOrderRow& row) -> std::optional<report::FigurePoint> {
+  const auto series = make_empty_figure_series(
+      study.rows, [](const ClosureOrderStudyRow& row) { return row.formulation; },
+      [&](const ClosureOrderStudyRow& row) -> std::optional<report::FigurePoint> {
         if (!row.l1) return std::nullopt;
         return report::FigurePoint{.x = static_cast<double>(row.order),
                                    .y = (*row.l1).*distance,
@@ -45,9 +45,9 @@ std::vector<FigureSeries> branch_series(const ClosureOrderStudy& study) {
   for (const auto& row : study.rows) {
     const auto branch = read_solution_branch(row.solution.metrics);
     if (!branch) continue;
-    all.push_back(
-        report::make_empty_series(fmt::format("branch: {} n = {}", row.formulation, row.order),
-                                  row.solution.identity.plot_style));
+    all.push_back(report::make_empty_figure_series(
+        fmt::format("branch: {} n = {}", row.formulation, row.order),
+        row.solution.identity.plot_style));
     all.back().symbol = "";
     for (const auto& [fraction, norm, fold] : branch->points) {
       all.back().points.push_back({.x = fraction, .y = norm});

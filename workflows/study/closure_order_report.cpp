@@ -6,13 +6,13 @@
 
 #include "report/terminal_tables.hpp"
 #include "report/text/text_layout.hpp"
-#include "workflows/study/closure_order.hpp"
+#include "workflows/study/closure_order_study.hpp"
 
 namespace fpkcheck::study {
 
 using base::Value;
 
-StudyRecord make_study_record(const ClosureOrderRow& row) {
+StudyRecord make_study_record(const ClosureOrderStudyRow& row) {
   const auto& [identity, equation, impact] =
       std::tie(row.solution.identity, row.solution.identity.equation, row.solution.identity.impact);
   const auto number = [&](double of_density) {
@@ -57,12 +57,12 @@ namespace {
 
 using report::wrap_text;
 
-std::string closure_name(const ClosureOrderRow& row) {
+std::string closure_name(const ClosureOrderStudyRow& row) {
   return fmt::format("{} n = {}", row.formulation, row.order);
 }
 
 // Returns the sign of the leading form of the exponent Q_n without the confinement term.
-std::string leading_form_text(const ClosureOrderRow& row) {
+std::string leading_form_text(const ClosureOrderStudyRow& row) {
   const auto& metrics = row.solution.metrics;
   auto form = transform::metric_text(metrics, "tail.polynomial_leading_form");
   if (!form) form = transform::metric_text(metrics, "leading_form");
@@ -103,7 +103,7 @@ std::string branch_end_text(const std::string& end) {
   return "is lost by the continuation";
 }
 
-std::string branch_sentence(const ClosureOrderRow& row, const SolutionBranch& branch) {
+std::string branch_sentence(const ClosureOrderStudyRow& row, const SolutionBranch& branch) {
   std::vector<std::string> folds;
   for (const auto& point : branch.points) {
     if (point.fold) folds.push_back(fmt::format("{:.1f} %", 100 * point.fraction));
@@ -117,7 +117,8 @@ std::string branch_sentence(const ClosureOrderRow& row, const SolutionBranch& br
 
 // The sentence states a convergence factor instead of a power of n, since convergent closures
 // converge geometrically.
-std::string convergence_rate_sentence(const ClosureOrderRow& first, const ClosureOrderRow& last) {
+std::string convergence_rate_sentence(const ClosureOrderStudyRow& first,
+                                      const ClosureOrderStudyRow& last) {
   const double steps = (last.order - first.order) / 2.0;
   const auto factor = [&](double MarginalL1Distances::*of) {
     return std::pow((*first.l1).*of / (*last.l1).*of, 1 / steps);
@@ -128,11 +129,11 @@ std::string convergence_rate_sentence(const ClosureOrderRow& first, const Closur
 
 // @param good rows with status `ok` of one formulation, by increasing order n
 std::string convergence_sentence(const std::string& formulation,
-                                 const std::vector<const ClosureOrderRow*>& good) {
+                                 const std::vector<const ClosureOrderStudyRow*>& good) {
   if (good.empty()) return fmt::format("{}: no order gives a density.", formulation);
   std::vector<std::string> orders;
-  for (const ClosureOrderRow* row : good) orders.push_back(std::to_string(row->order));
-  const ClosureOrderRow &first = *good.front(), &last = *good.back();
+  for (const ClosureOrderStudyRow* row : good) orders.push_back(std::to_string(row->order));
+  const ClosureOrderStudyRow &first = *good.front(), &last = *good.back();
   std::string text = fmt::format("{} is ok at n = {}", formulation, join_with_and(orders));
   if (good.size() == 1) {
     return text + fmt::format(": L1 {:.2g} in p(y), {:.2g} in p(y').", first.l1->y, first.l1->ydot);
@@ -149,7 +150,7 @@ std::string convergence_text(const ClosureOrderStudy& study, std::size_t width) 
   std::string text;
   for (auto row = study.rows.begin(); row != study.rows.end();) {
     const std::string& formulation = row->formulation;
-    std::vector<const ClosureOrderRow*> good;
+    std::vector<const ClosureOrderStudyRow*> good;
     for (; row != study.rows.end() && row->formulation == formulation; ++row) {
       if (row->solution.has_status_ok() && row->l1) good.push_back(&*row);
     }

@@ -20,8 +20,8 @@ const StationaryFunctional kMeanSquareVelocity = PowerMoment{StateVariable::ydot
 std::vector<numerics::Enclosure> bounds_on_level(
     const problem::Problem& problem, int level,
     const std::vector<StationaryFunctional>& functionals) {
-  const SplineGrid grid =
-      spline_grid_sequence(width_limiting_feature(functionals[0]))[static_cast<std::size_t>(level)];
+  const SplineGrid grid = spline_grid_sequence(
+      bound_width_limiting_feature(functionals[0]))[static_cast<std::size_t>(level)];
   return compute_bounds_on_grid(problem, make_residual_weight(problem, 12), grid, functionals, 2);
 }
 
@@ -98,7 +98,7 @@ TEST(Bounds, OfSmoothBinsContainTheExactDensity) {
       SmoothBin::with_equidistant_knots(StateVariable::ydot, -0.3, 0.4)};
   const std::vector<numerics::Enclosure> b = bounds_on_level(linear, 1, bins);
   for (std::size_t i = 0; i < bins.size(); ++i) {
-    const std::vector<double> knots = integrand_break_points(bins[i]);
+    const std::vector<double> knots = integrand_breakpoints(bins[i]);
     constexpr int kCells = 400;
     std::vector<double> edges(kCells + 1);
     const double width = (knots.back() - knots.front()) / kCells;
@@ -119,11 +119,11 @@ TEST(Bounds, OfSmoothBinsContainTheExactDensity) {
 TEST(Bounds, DoNotDependOnTheNumberOfThreads) {
   const problem::Problem problem = problem::load_case("case1");
   const std::vector<StationaryFunctional> both{kMeanSquareDisplacement, kMeanSquareVelocity};
-  const ResidualWeight weight = make_residual_weight(problem, 12);
+  const ResidualWeightFunctionOfEnergy weight = make_residual_weight(problem, 12);
   const auto one = compute_bounds_on_grid(
-      problem, weight, spline_grid_sequence(WidthLimitingFeature::conical_point)[0], both, 1);
+      problem, weight, spline_grid_sequence(BoundWidthLimitingFeature::conical_point)[0], both, 1);
   const auto two = compute_bounds_on_grid(
-      problem, weight, spline_grid_sequence(WidthLimitingFeature::conical_point)[0], both, 2);
+      problem, weight, spline_grid_sequence(BoundWidthLimitingFeature::conical_point)[0], both, 2);
   for (std::size_t i = 0; i < both.size(); ++i) {
     EXPECT_EQ(one[i].lower, two[i].lower);
     EXPECT_EQ(one[i].upper, two[i].upper);
@@ -139,7 +139,7 @@ TEST(Bounds, AreRefinedToTheRequestedWidth) {
   EXPECT_LE(narrow.functional_bounds[0].enclosure.half_width(), 1e-5);
   EXPECT_GT(narrow.grid_bounds.size(), 1u);
   EXPECT_LT(narrow.grid_bounds.size(),
-            spline_grid_sequence(WidthLimitingFeature::conical_point).size());
+            spline_grid_sequence(BoundWidthLimitingFeature::conical_point).size());
 
   options.absolute_half_width = 1e-12;
   options.time_limit_seconds = 0;

@@ -6,7 +6,7 @@
 
 #include "backward/bounds/bounds.hpp"
 #include "backward/bounds/residual_bounds.hpp"
-#include "backward/generator/collocation.hpp"
+#include "backward/generator/generator_at_collocation_points.hpp"
 #include "backward/residual/density_error_estimator.hpp"
 #include "exact/closed_forms.hpp"
 #include "general_oscillators.hpp"
@@ -139,12 +139,12 @@ TEST(FamilyBounds, HaveAReasonForUnsupportedProblems) {
 struct CertificateWithoutWalls {
   problem::Problem problem = problem_under_impulses({.damping = 0.3, .stiffness = 1, .cubic = 0.2},
                                                     {.none = true}, "gaussian", 0.05);
-  ResidualWeight weight = make_residual_weight(problem, 12);
+  ResidualWeightFunctionOfEnergy weight = make_residual_weight(problem, 12);
   numerics::SplineBasis displacement{std::vector<double>{-3.5, -2, -0.5, 0.4, 2, 4}};
   ImpactSplineBasis velocity;
-  DisplacementFactorEnclosures displacement_factors = numerics::call_with_upward_rounding(
+  GeneratorDisplacementFactorEnclosures displacement_factors = numerics::call_with_upward_rounding(
       [&] { return enclose_displacement_factors(problem, displacement, {}); });
-  VelocityFactorEnclosures velocity_factors = numerics::call_with_upward_rounding(
+  GeneratorVelocityFactorEnclosures velocity_factors = numerics::call_with_upward_rounding(
       [&] { return enclose_velocity_factors(problem, velocity, {}); });
   Eigen::MatrixXd coefficients{displacement.size(), velocity.size()};
 
@@ -155,21 +155,21 @@ struct CertificateWithoutWalls {
         coefficients(a, b) = std::sin(0.9 * a + 0.5) * std::cos(0.4 * b + 0.3);
     }
   }
-  CertificateCheckInputs inputs(const DisplacementEndTypes& ends) const {
+  ResidualBoundInputs inputs(const DisplacementBoundaryTypes& ends) const {
     return {problem, displacement, velocity, displacement_factors, velocity_factors, weight, ends};
   }
 };
 
-constexpr DisplacementEndTypes kOpenEnds{.has_left_wall = false,
-                                         .has_right_wall = false,
-                                         .is_left_end_open = true,
-                                         .is_right_end_open = true};
+constexpr DisplacementBoundaryTypes kOpenEnds{.has_left_wall = false,
+                                              .has_right_wall = false,
+                                              .is_left_end_open = true,
+                                              .is_right_end_open = true};
 
 TEST(FamilyBounds, RequireTheImpactConditionAtEveryWall) {
   CertificateWithoutWalls e;
   const StationaryFunctional f = PowerMoment{StateVariable::y, 2};
-  const auto is_range_finite = [&](const DisplacementEndTypes& ends) {
-    const ResidualRange range = numerics::call_with_upward_rounding([&] {
+  const auto is_range_finite = [&](const DisplacementBoundaryTypes& ends) {
+    const BackwardResidualRange range = numerics::call_with_upward_rounding([&] {
       return enclose_residual_range(e.inputs(ends), f, {e.coefficients, 0.3}, {0, 0}, 0.05);
     });
     return std::isfinite(range.largest - range.least);
@@ -178,7 +178,7 @@ TEST(FamilyBounds, RequireTheImpactConditionAtEveryWall) {
   EXPECT_FALSE(is_range_finite({.has_left_wall = true, .has_right_wall = false}));
   EXPECT_FALSE(is_range_finite({.has_left_wall = false, .has_right_wall = true}));
   for (int b = 0; b < e.coefficients.cols(); ++b)
-    e.coefficients(0, b) = e.coefficients(0, e.velocity.opposite_side_index(b));
+    e.coefficients(0, b) = e.coefficients(0, e.velocity.basis_index_after_impact(b));
   EXPECT_TRUE(is_range_finite({.has_left_wall = true, .has_right_wall = false}));
 }
 
@@ -186,13 +186,13 @@ TEST(FamilyBounds, InnerAndOuterResidualsBoundAllSamples) {
   const CertificateWithoutWalls e;
   const StationaryFunctional f = PowerMoment{StateVariable::y, 4};
   const auto inputs = e.inputs(kOpenEnds);
-  const ResidualRange range = numerics::call_with_upward_rounding([&] {
+  const BackwardResidualRange range = numerics::call_with_upward_rounding([&] {
     return enclose_residual_range(inputs, f, {e.coefficients, 0.3}, {0, 0}, 0.02);
   });
   const double outside = numerics::call_with_upward_rounding([&] {
     return outer_residual_bound(inputs, f, {e.coefficients, 0.3});
   });
-  const VelocityFactorSamples vs = numerics::call_with_upward_rounding(
+  const GeneratorVelocityFactorSamples vs = numerics::call_with_upward_rounding(
       [&] { return sample_velocity_factors(e.velocity_factors, e.velocity, 9); });
   const DisplacementSplineSamples ys = sample_displacement_splines(e.displacement, 12);
   double least = 0, largest = 0;
@@ -233,7 +233,7 @@ TEST(FamilyBounds, OuterResidualDependsOnTheEdgeAtEachOpenEnd) {
     const double outside = numerics::call_with_upward_rounding([&] {
       return outer_residual_bound(e.inputs(kOpenEnds), f, {e.coefficients, 0.3});
     });
-    const VelocityFactorSamples vs = numerics::call_with_upward_rounding(
+    const GeneratorVelocityFactorSamples vs = numerics::call_with_upward_rounding(
         [&] { return sample_velocity_factors(e.velocity_factors, e.velocity, 9); });
     const Eigen::VectorXd edge = e.coefficients.row(row);
     const Eigen::VectorXd l = vs.impulse_and_damping * edge +

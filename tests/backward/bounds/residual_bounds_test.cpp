@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "backward/bounds/residual_bounds.hpp"
-#include "backward/generator/collocation.hpp"
+#include "backward/generator/generator_at_collocation_points.hpp"
 #include "problem/case_file.hpp"
 
 namespace fpkcheck::backward {
@@ -13,11 +13,11 @@ namespace {
 // An inaccurate certificate, whose residual is large and varies.
 struct InaccurateCertificate {
   problem::Problem problem;
-  ResidualWeight weight;
+  ResidualWeightFunctionOfEnergy weight;
   numerics::SplineBasis displacement;
   ImpactSplineBasis velocity;
-  DisplacementFactorEnclosures displacement_factors;
-  VelocityFactorEnclosures velocity_factors;
+  GeneratorDisplacementFactorEnclosures displacement_factors;
+  GeneratorVelocityFactorEnclosures velocity_factors;
   Eigen::MatrixXd coefficients;
 
   explicit InaccurateCertificate(const std::string& law, double max_displacement = 4,
@@ -38,7 +38,7 @@ struct InaccurateCertificate {
       }
     }
   }
-  CertificateCheckInputs inputs() const {
+  ResidualBoundInputs inputs() const {
     return {problem, displacement, velocity, displacement_factors, velocity_factors, weight};
   }
   BoundCertificate certificate() const { return {coefficients, 0.3}; }
@@ -49,7 +49,7 @@ struct InaccurateCertificate {
 std::pair<double, double> sample_residual_range(const InaccurateCertificate& e,
                                                 const StationaryFunctional& f) {
   const DisplacementSplineSamples ys = sample_displacement_splines(e.displacement, 24);
-  const VelocityFactorSamples vs = numerics::call_with_upward_rounding(
+  const GeneratorVelocityFactorSamples vs = numerics::call_with_upward_rounding(
       [&] { return sample_velocity_factors(e.velocity_factors, e.velocity, 24); });
   std::pair<double, double> range{0, 0};
   for (std::size_t i = 0; i < ys.displacements.size(); ++i) {
@@ -77,7 +77,7 @@ TEST(ResidualRange, ContainsAllSamplesAndIsNarrow) {
          {StationaryFunctional(PowerMoment{StateVariable::y, 2}),
           StationaryFunctional(PowerMoment{StateVariable::ydot, 4})}) {
       const auto [least, largest] = sample_residual_range(e, f);
-      const ResidualRange range = numerics::call_with_upward_rounding([&] {
+      const BackwardResidualRange range = numerics::call_with_upward_rounding([&] {
         return enclose_residual_range(e.inputs(), f, e.certificate(), {0, 0}, 0.02);
       });
       EXPECT_TRUE(range.is_converged) << law;
@@ -94,7 +94,7 @@ TEST(ResidualRange, DoesNotDependOnExpectedValues) {
   const StationaryFunctional f = PowerMoment{StateVariable::y, 2};
   const auto [least, largest] = sample_residual_range(e, f);
   const std::pair expected(10 * least, 10 * largest);
-  const ResidualRange range = numerics::call_with_upward_rounding([&] {
+  const BackwardResidualRange range = numerics::call_with_upward_rounding([&] {
     return enclose_residual_range(e.inputs(), f, e.certificate(), {expected.first, expected.second},
                                   0.02);
   });
@@ -105,7 +105,7 @@ TEST(ResidualRange, DoesNotDependOnExpectedValues) {
 TEST(ResidualRange, IsUnboundedForNaN) {
   InaccurateCertificate e("gaussian");
   e.coefficients(2, 3) = std::nan("");
-  const ResidualRange range = numerics::call_with_upward_rounding([&] {
+  const BackwardResidualRange range = numerics::call_with_upward_rounding([&] {
     return enclose_residual_range(e.inputs(), PowerMoment{StateVariable::y, 1}, e.certificate(),
                                   {0, 0}, 0.02);
   });
@@ -118,7 +118,7 @@ TEST(OuterResidual, BoundsAllSamplesOutsideTheBox) {
   const double bound = numerics::call_with_upward_rounding(
       [&] { return outer_residual_bound(e.inputs(), f, e.certificate()); });
   // For y > y_end V has the coefficients of the last row.
-  const VelocityFactorSamples vs = numerics::call_with_upward_rounding(
+  const GeneratorVelocityFactorSamples vs = numerics::call_with_upward_rounding(
       [&] { return sample_velocity_factors(e.velocity_factors, e.velocity, 5); });
   const Eigen::VectorXd last = e.coefficients.bottomRows<1>().transpose();
   const Eigen::VectorXd jump = vs.impulse_and_damping * last, force = vs.restoring_force * last;
@@ -151,7 +151,7 @@ TEST(OuterResidual, DependsOnSlopesInVPastTheLargestDisplacement) {
   const StationaryFunctional f = PowerMoment{StateVariable::y, 1};
   const double bound = numerics::call_with_upward_rounding(
       [&] { return outer_residual_bound(e.inputs(), f, e.certificate()); });
-  const VelocityFactorSamples vs = numerics::call_with_upward_rounding(
+  const GeneratorVelocityFactorSamples vs = numerics::call_with_upward_rounding(
       [&] { return sample_velocity_factors(e.velocity_factors, e.velocity, 9); });
   const Eigen::VectorXd last = e.coefficients.bottomRows<1>().transpose();
   const Eigen::VectorXd l =

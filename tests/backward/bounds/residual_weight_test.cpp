@@ -56,7 +56,7 @@ TEST(EnergyMomentBounds, WithAMeanSolveTheQuadraticInequality) {
 
 TEST(ResidualWeight, EnergyDecaysAlongTheFlowAndAtImpacts) {
   const problem::Problem problem = problem::load_case("case1", {"system.damping=0.9"});
-  const ResidualWeight weight = make_residual_weight(problem, 12);
+  const ResidualWeightFunctionOfEnergy weight = make_residual_weight(problem, 12);
   for (const double y : {0.01, 0.3, 2.0}) {
     for (const double v : {-3.0, -0.2, 0.0, 0.5, 4.0}) {
       const double h = 1e-5, force = problem.system.restoring_force()(y);
@@ -70,7 +70,8 @@ TEST(ResidualWeight, EnergyDecaysAlongTheFlowAndAtImpacts) {
 }
 
 TEST(ResidualWeight, HasItsDesignMean) {
-  const ResidualWeight weight = make_residual_weight(problem::load_case("case1"), 12);
+  const ResidualWeightFunctionOfEnergy weight =
+      make_residual_weight(problem::load_case("case1"), 12);
   EXPECT_NEAR(weight.mean_upper_bound, 1.25, 1e-12);
   EXPECT_NEAR(weight(0, std::sqrt(2 * weight.energy_scale)), 2, 1e-12);
 }

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "backward/generator/collocation.hpp"
-#include "backward/generator/least_squares.hpp"
+#include "backward/generator/backward_equation_fit.hpp"
+#include "backward/generator/generator_at_collocation_points.hpp"
 #include "problem/case_file.hpp"
 #include "spline_coefficients.hpp"
 
@@ -20,7 +20,7 @@ struct GeneratorSamples {
   ImpactSplineBasis velocity{numerics::SplineBasis(numerics::graded_break_points(6, 9, 0.2, 2)),
                              0.8};
   DisplacementSplineSamples displacement_samples = sample_displacement_splines(displacement, 3);
-  VelocityFactorSamples velocity_samples = numerics::call_with_upward_rounding([&] {
+  GeneratorVelocityFactorSamples velocity_samples = numerics::call_with_upward_rounding([&] {
     return sample_velocity_factors(enclose_velocity_factors(problem, velocity, {}), velocity, 3);
   });
 
@@ -66,7 +66,7 @@ TEST(Generator, IsExactOnPolynomials) {
 
 TEST(LeastSquares, SatisfiesTheImpactConditionAndReproducesConstants) {
   const GeneratorSamples g;
-  const BackwardSolutions s = fit_backward_solutions(
+  const BackwardEquationSolutions s = fit_backward_equation_solutions(
       {g.problem, g.displacement, g.velocity, g.displacement_samples, g.velocity_samples,
        [](double, double) { return 1.0; }, [](double, double) { return 1.0; }},
       {[](double, double) { return 0.7; }, [](double y, double) { return y * y; }});
@@ -75,7 +75,7 @@ TEST(LeastSquares, SatisfiesTheImpactConditionAndReproducesConstants) {
   EXPECT_NEAR(s.residual_extremes[0].second, 0, 1e-6);
   for (int b = 0; b < g.velocity.size(); ++b) {
     EXPECT_EQ(s.spline_coefficients[1](0, b),
-              s.spline_coefficients[1](0, g.velocity.opposite_side_index(b)));
+              s.spline_coefficients[1](0, g.velocity.basis_index_after_impact(b)));
   }
 }
 

@@ -14,12 +14,12 @@ ImpactSplineBasis make_example_basis(double r = 0.7) {
 
 TEST(VelocityPieces, CoverTheRangeAndEndAtBreaksAndCuts) {
   const ImpactSplineBasis basis = make_example_basis();
-  const std::vector<VelocityPiece> pieces = numerics::call_with_upward_rounding([&] {
+  const std::vector<VelocityAxisPiece> pieces = numerics::call_with_upward_rounding([&] {
     return divide_velocity_axis(basis, std::array{-1.234, 0.5}, 0.3);
   });
   EXPECT_EQ(pieces.front().begin.lower(), -3);
   EXPECT_NEAR(pieces.back().end.upper(), 0.7 * 3, 1e-15);
-  std::vector<double> expected_ends = velocity_breaks(basis);
+  std::vector<double> expected_ends = basis_break_velocities(basis);
   expected_ends.insert(expected_ends.end(), {-1.234, 0.5});
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     EXPECT_LT(pieces[i].end.upper() - pieces[i].begin.lower(), 0.3 + 1e-12);
@@ -28,7 +28,7 @@ TEST(VelocityPieces, CoverTheRangeAndEndAtBreaksAndCuts) {
   }
   for (const double v : expected_ends) {
     double nearest = 1;
-    for (const VelocityPiece& p : pieces) {
+    for (const VelocityAxisPiece& p : pieces) {
       nearest = std::min({nearest, std::abs(p.begin.lower() - v), std::abs(p.end.lower() - v)});
     }
     EXPECT_LT(nearest, 1e-15) << v;
@@ -38,8 +38,9 @@ TEST(VelocityPieces, CoverTheRangeAndEndAtBreaksAndCuts) {
 TEST(VelocityPieces, FunctionsAreThoseOfTheBasisOnBothSides) {
   const ImpactSplineBasis basis = make_example_basis();
   numerics::call_with_upward_rounding([&] {
-    for (const VelocityPiece& piece : divide_velocity_axis(basis, std::array{-0.9, 0.4}, 0.25)) {
-      const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, piece);
+    for (const VelocityAxisPiece& piece :
+         divide_velocity_axis(basis, std::array{-0.9, 0.4}, 0.25)) {
+      const BasisFunctionsOnVelocityPiece functions = basis_functions_on_piece(basis, piece);
       for (std::size_t l = 0; l < functions.indices.size(); ++l) {
         Eigen::VectorXd c = Eigen::VectorXd::Zero(basis.size());
         c(functions.indices[l]) = 1;
@@ -61,13 +62,13 @@ TEST(VelocityPieces, MirroredFunctionsSatisfyTheImpactCondition) {
   // mirrored spans overlap, even if r u is rounded.
   const ImpactSplineBasis basis = make_example_basis(0.98);
   numerics::call_with_upward_rounding([&] {
-    const std::vector<VelocityPiece> spans = divide_velocity_axis(basis, {}, 100);
+    const std::vector<VelocityAxisPiece> spans = divide_velocity_axis(basis, {}, 100);
     for (std::size_t i = 0; i < spans.size() / 2; ++i) {
-      const BasisFunctionsOnPiece in = basis_functions_on_piece(basis, spans[i]);
-      const BasisFunctionsOnPiece out =
+      const BasisFunctionsOnVelocityPiece in = basis_functions_on_piece(basis, spans[i]);
+      const BasisFunctionsOnVelocityPiece out =
           basis_functions_on_piece(basis, spans[spans.size() - 1 - i]);
       for (std::size_t l = 0; l < in.indices.size(); ++l) {
-        EXPECT_EQ(out.indices[l], basis.opposite_side_index(in.indices[l]));
+        EXPECT_EQ(out.indices[l], basis.basis_index_after_impact(in.indices[l]));
         for (std::size_t j = 0; j < in.polynomials[l].size(); ++j) {
           EXPECT_TRUE(
               overlap(in.polynomials[l][j], out.polynomials[l][in.polynomials[l].size() - 1 - j]));
@@ -82,10 +83,10 @@ TEST(VelocityPieces, SlopesOfDifferencesAddUpToTheDerivative) {
   const ImpactSplineBasis basis = make_example_basis();
   const Eigen::VectorXd c = power_coefficients(basis, 3);
   numerics::call_with_upward_rounding([&] {
-    for (const VelocityPiece& piece : divide_velocity_axis(basis, {}, 0.5)) {
-      const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, piece);
+    for (const VelocityAxisPiece& piece : divide_velocity_axis(basis, {}, 0.5)) {
+      const BasisFunctionsOnVelocityPiece functions = basis_functions_on_piece(basis, piece);
       const std::vector<numerics::BernsteinCoefficients> slopes =
-          enclose_partial_sum_slopes(basis, piece);
+          enclose_slopes_of_basis_partial_sums(basis, piece);
       numerics::Interval slope = 0;
       for (std::size_t l = 1; l < functions.indices.size(); ++l) {
         slope += (numerics::Interval(c(functions.indices[l])) - c(functions.indices[l - 1])) *
@@ -102,24 +103,24 @@ TEST(VelocityPieces, SlopesOfDifferencesAddUpToTheDerivative) {
 TEST(VelocityPieces, OverhangIsPartOfTheError) {
   const ImpactSplineBasis basis = make_example_basis();
   numerics::call_with_upward_rounding([&] {
-    const VelocityPiece across =
+    const VelocityAxisPiece across =
         make_velocity_piece(basis, numerics::Interval(-0.5), numerics::Interval(1e-3));
-    EXPECT_EQ(across.side, VelocitySide::incoming);
+    EXPECT_EQ(across.side, VelocityAxisPart::incoming);
     EXPECT_GE(across.rounding_overhang, 1e-3);
-    const BasisFunctionsOnPiece functions = basis_functions_on_piece(basis, across);
+    const BasisFunctionsOnVelocityPiece functions = basis_functions_on_piece(basis, across);
     // On the overhang the polynomial of the central function exceeds 1, but the function itself
     // decreases.
     Eigen::VectorXd c = Eigen::VectorXd::Zero(basis.size());
-    c(basis.index_at_zero_velocity()) = 1;
+    c(basis.basis_index_at_zero_velocity()) = 1;
     for (std::size_t l = 0; l < functions.indices.size(); ++l) {
-      if (functions.indices[l] != basis.index_at_zero_velocity()) continue;
+      if (functions.indices[l] != basis.basis_index_at_zero_velocity()) continue;
       const double polynomial_value =
           evaluate_bernstein_polynomial(functions.polynomials[l], numerics::Interval(1)).upper();
       const double error = std::abs(polynomial_value - spline_value(basis, c, 1e-3));
       EXPECT_GT(error, 1e-4);
       EXPECT_LE(error, functions.overhang_error);
     }
-    const VelocityPiece inside =
+    const VelocityAxisPiece inside =
         make_velocity_piece(basis, numerics::Interval(-0.06), numerics::Interval(-0.05));
     EXPECT_EQ(basis_functions_on_piece(basis, inside).overhang_error, 0);
     return 0;

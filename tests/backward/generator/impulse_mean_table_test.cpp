@@ -20,8 +20,8 @@ constexpr double kDeviation = 0.31;
 
 struct BasisWithTable {
   ImpactSplineBasis basis;
-  std::vector<VelocityPiece> pieces;
-  ImpulseMeanTable table;
+  std::vector<VelocityAxisPiece> pieces;
+  PostImpulseMeanTable table;
 };
 
 BasisWithTable make_basis_with_table(const ImpulseLaw& law, double end, int cells, double r) {
@@ -29,9 +29,9 @@ BasisWithTable make_basis_with_table(const ImpulseLaw& law, double end, int cell
     const ImpactSplineBasis basis(
         numerics::SplineBasis(numerics::graded_break_points(end, cells, 0.05, end / 3)), r);
     const VelocityPieceConstraints constraints = velocity_piece_constraints(basis, law);
-    std::vector<VelocityPiece> pieces =
+    std::vector<VelocityAxisPiece> pieces =
         divide_velocity_axis(basis, constraints.break_velocities, constraints.max_length);
-    ImpulseMeanTable table = compute_impulse_mean_table(basis, pieces, law);
+    PostImpulseMeanTable table = compute_impulse_mean_table(basis, pieces, law);
     return BasisWithTable{basis, std::move(pieces), std::move(table)};
   });
 }
@@ -44,14 +44,14 @@ numerics::Enclosure enclose_mean_after_impulse(const BasisWithTable& t, const Ei
         (numerics::Interval(t.table.remainder_bound) * c.cwiseAbs().maxCoeff()).upper());
     for (int b = 0; b < t.basis.size(); ++b) {
       sum += c(b) * evaluate_bernstein_polynomial(
-                        t.table.polynomial_coefficients(static_cast<int>(piece), b),
+                        t.table.post_impulse_mean_coefficients(static_cast<int>(piece), b),
                         numerics::Interval(at));
     }
     return enclosure_from_interval(sum);
   });
 }
 
-double velocity_on_piece(const VelocityPiece& piece, double t) {
+double velocity_on_piece(const VelocityAxisPiece& piece, double t) {
   return piece.begin.lower() + t * (piece.end.upper() - piece.begin.lower());
 }
 
@@ -66,7 +66,8 @@ double mean_after_impulse_by_quadrature(const BasisWithTable& t, const Eigen::Ve
   std::vector<double> ends = law.amplitude_density_breakpoints();
   if (ends.empty()) return sum;
   const double first = ends.front(), last = ends.back();
-  for (const double u : velocity_breaks(t.basis)) ends.push_back(std::clamp(u - v, first, last));
+  for (const double u : basis_break_velocities(t.basis))
+    ends.push_back(std::clamp(u - v, first, last));
   for (double y = first; y < last; y += kDeviation / 2) ends.push_back(y);
   std::sort(ends.begin(), ends.end());
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {

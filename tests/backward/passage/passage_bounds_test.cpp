@@ -76,7 +76,7 @@ TEST(PassageBounds, AWrongValueOfTheCertificateIsNotVerified) {
   const auto certificates = compute_mean_time_certificates(problem, oscillator, deadline);
   ASSERT_TRUE(certificates);
   for (const Region region : kRegions) {
-    MeanTimeCertificate wrong = (*certificates)[0];
+    MeanPassageTimeCertificate wrong = (*certificates)[0];
     Eigen::MatrixXd& values = wrong.regions[region].value;
     values(values.rows() / 2, values.cols() / 3) *= 1.01;
     EXPECT_FALSE(verify_certificate(wrong, oscillator, 1.4, deadline).is_proved) << region;
@@ -90,7 +90,7 @@ TEST(PassageBounds, LargeRectanglesProveNoBound) {
   const base::Deadline deadline(kBoundsSeconds);
   const auto certificates = compute_mean_time_certificates(problem, oscillator, deadline);
   ASSERT_TRUE(certificates);
-  for (const MeanTimeCertificate& certificate : *certificates)
+  for (const MeanPassageTimeCertificate& certificate : *certificates)
     EXPECT_FALSE(verify_certificate(certificate, oscillator, 0.5, deadline).is_proved);
 }
 

@@ -63,12 +63,12 @@ TEST(ReducedPassageModel, IsExactForAChainWithAsManyStatesAsFunctions) {
   const auto transform_at = [&](double shift) -> Eigen::Vector3d {
     return (shift * Eigen::Matrix3d::Identity() - generator).inverse() * one;
   };
-  ReducedPassageModel model(3, 2);
+  ReducedOrderPassageModel model(3, 2);
   const Eigen::Vector3d mean = transform_at(0), half_mean_square = -generator.inverse() * mean,
                         other = transform_at(0.8);
-  model.add({mean, functionals * mean});
-  model.add({half_mean_square, functionals * half_mean_square, 0, 0, true});
-  model.add({other, functionals * other, 0.8});
+  model.add_basis_function({mean, functionals * mean});
+  model.add_basis_function({half_mean_square, functionals * half_mean_square, 0, 0, true});
+  model.add_basis_function({other, functionals * other, 0.8});
   const auto modes = model.compute_modes();
   constexpr double kTime = 1.7;
   // exp(L t) by repeated squaring of the Taylor series of degree 3
@@ -92,7 +92,8 @@ TEST(StationaryCrossings, ElasticWallGivesTheAbsoluteValueOfTheLinearOscillator)
         problem::System({.damping = 0.6, .stiffness = 1}, walls), tests::gaussian_impulses(1, 0.3));
     const ChebyshevGrid lower({y_low, kBarrier, 3}, static_cast<int>(kNodes * 10), 22),
         upper({2.6, kBarrier, 3}, static_cast<int>(kNodes * 7), 22);
-    return *compute_stationary_crossings(problem, lower, upper, 0.5, base::Deadline::unlimited());
+    return *compute_stationary_crossings(problem, lower, upper, 0.5,
+                                         base::Deadline::without_time_limit());
   };
   const StationaryCrossings with_wall = compute({.left = 0, .left_restitution = 1}, 0),
                             without = compute({.none = true}, -2.6);
@@ -112,7 +113,8 @@ TEST(RenewalEquation, IntegratesTheTimeToTheNextImpulse) {
         problem::ImpulseTrain({.arrival_rate = 4, .law = law, .intensity = 0.1, .mean = 0}));
     const ChebyshevGrid grid({0, 5, 1}, 5, 7);
     const RenewalEquation equation(problem, grid, 4, 1);
-    const auto operators = equation.compute_operators({{4}, {4, 1}}, base::Deadline::unlimited());
+    const auto operators =
+        equation.compute_operators({{4}, {4, 1}}, base::Deadline::without_time_limit());
     ASSERT_EQ(operators.size(), 2u);
     const Eigen::Index wall =
         grid.node_index(grid.y_node_count() - 1, 3);  // the node nearest to the wall

@@ -14,8 +14,9 @@ namespace {
 constexpr double kLongDuration = 100;
 
 double sum_of_weights(const UnforcedTrajectory& trajectory) {
-  return std::accumulate(trajectory.nodes.begin(), trajectory.nodes.end(), 0.0,
-                         [](double sum, const TrajectoryNode& node) { return sum + node.weight; });
+  return std::accumulate(
+      trajectory.nodes.begin(), trajectory.nodes.end(), 0.0,
+      [](double sum, const TrajectoryQuadratureNode& node) { return sum + node.weight; });
 }
 
 // Linear oscillator with damping 0.2 and stiffness 4 from the state (y, v)
@@ -38,7 +39,7 @@ TEST(UnforcedMotion, FollowsTheExactSolutionUntilTheExit) {
   EXPECT_GT(found.end_state.v, 0.1);
   EXPECT_NEAR(sum_of_weights(found), found.duration, 1e-9);
   double integral = 0, error = 0;
-  for (const TrajectoryNode& node : found.nodes) {
+  for (const TrajectoryQuadratureNode& node : found.nodes) {
     const PhaseState exact = damped_state(0.5, -2.5, node.time);
     error = std::max({error, std::abs(node.state.y - exact.y), std::abs(node.state.v - exact.v)});
     // d/dt (1 - y)^(3/2) = -(3/2) (1 - y)^(1/2) v
@@ -67,7 +68,7 @@ TEST(UnforcedMotion, DissipatesTheEnergyOfAllTermsOfThePolynomials) {
     return at.v * at.v / 2 + system.potential()(at.y);
   };
   double dissipated = 0;
-  for (const TrajectoryNode& node : found.nodes) {
+  for (const TrajectoryQuadratureNode& node : found.nodes) {
     const auto [y, v] = node.state;
     dissipated += node.weight * (system.damping_polynomial()(y) * v * v + 0.05 * std::pow(v, 4));
   }

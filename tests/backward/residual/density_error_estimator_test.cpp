@@ -75,7 +75,7 @@ TEST(DensityResiduals, CorrectAnyDensityIntoTheGuaranteedBounds) {
         tests::make_problem({.restitution = 0.7, .mean = 0.1, .law = "uniform"})}) {
     const auto bounds = compute_bounds_on_grid(
         problem, make_residual_weight(problem, 12),
-        spline_grid_sequence(WidthLimitingFeature::conical_point)[0], functionals, 1);
+        spline_grid_sequence(BoundWidthLimitingFeature::conical_point)[0], functionals, 1);
     const auto found = DensityErrorEstimator(problem).estimate_errors(gaussian_density());
     for (std::size_t k = 0; k < functionals.size(); ++k) {
       const double value = found.corrected_moments.*moments[k];
@@ -186,11 +186,11 @@ TEST(DensityResiduals, OnWideCellsDifferByLessThanTheUnresolvedResidual) {
 }
 
 TEST(ErrorEstimate, IncreasesWithTheUnresolvedResidual) {
-  DensityErrors errors{};
+  DensityErrorEstimates errors{};
   const auto error_estimate = [&](double found, double unresolved, double contrast = 0) {
     errors.y_l1 = {found, unresolved, contrast};
     const auto error = errors.error_estimate();
-    return error ? error->y_l1 / DensityErrors::kSubBinFactor : -1;
+    return error ? error->y_l1 / DensityErrorEstimates::kSubBinFactor : -1;
   };
   EXPECT_DOUBLE_EQ(error_estimate(0.01, 0), 0.01);
   EXPECT_DOUBLE_EQ(error_estimate(0.01, 0.02), 0.01 / 0.8);  // t = 0.01 + 10 t 0.02
@@ -224,7 +224,7 @@ TEST(DensityResiduals, WeightByTheCentredSolution) {
   const auto integrals =
       WeakResidualIntegrator(tests::paper_case(1),
                              {case_1_estimator().y_splines(), case_1_estimator().v_splines()})
-          .integrate(gaussian_density());
+          .integrate_density(gaussian_density());
   const auto y = case_1_estimator().y_splines().coefficients_of_monomial(1);
   Eigen::MatrixXd expected = integrals.weak_residuals;
   for (Eigen::Index i = 0; i < expected.rows(); ++i) {

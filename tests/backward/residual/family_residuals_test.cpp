@@ -250,7 +250,7 @@ TEST(RandomWells, HaveReliableErrorEstimatesOrNone) {
     const exact::EnergyLaw hotter(tests::in_wall_coordinates(wells.problem(1.05)));
     check(exact_density(tests::in_wall_coordinates(wells.problem(1.05))),
           [&](double y) { return hotter.displacement_marginal(y); });
-    const double barrier = problem.frame.wall_x(0);
+    const double barrier = problem.frame.wall_coordinate(0);
     for (const double factor : {-0.95, -0.3, 0.3, 0.95}) {
       const auto wrong = with_other_well_probabilities(right, law, barrier, factor);
       // In these laws the velocity is independent of y.
@@ -283,7 +283,7 @@ TEST(FamilyResiduals, AreThoseOfTheMirroredProblem) {
   const auto bell = [](double y, double v) {
     return std::exp(-std::pow(y - 0.1, 2) - 2 * v * v - v * y);
   };
-  const ControlCellCounts cells{.y_cells = 26, .v_cells = 52};
+  const ControlVariateCellCounts cells{.y_cells = 26, .v_cells = 52};
   const auto a = DensityErrorEstimator(tests::in_wall_coordinates(one), cells)
                      .estimate_errors(transform::SmoothDensity{
                          [&](double x, double v) { return bell(x - 0.8, v); }, 2, 3});

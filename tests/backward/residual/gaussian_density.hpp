@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "transform/density.hpp"
+#include "transform/joint_density.hpp"
 
 namespace fpkcheck::tests {
 

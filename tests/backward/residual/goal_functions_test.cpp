@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "backward/control/control_function_fit.hpp"
+#include "backward/control_variates/control_variate_fit.hpp"
 #include "exact/linear_problem.hpp"
 #include "problem/equivalent_linearisation.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 
 TEST(GoalFunctions, AreTheMomentsAndBinsThatSumToOne) {
   const auto splines = make_control_splines(tests::paper_case(1), {.y_cells = 32, .v_cells = 64},
-                                            ControlCellWidths::narrower_at_walls);
+                                            SplineCellWidthDistribution::narrower_at_walls);
   const auto goal = make_goal_functions(splines.y_splines, splines.v_splines);
   ASSERT_EQ(goal.moment_count, 6);
   ASSERT_EQ(goal.functions.size(),
@@ -38,7 +38,7 @@ TEST(GoalFunctions, AreTheMomentsAndBinsThatSumToOne) {
 
 TEST(GoalFunctions, ArePowersOfThePhysicalCoordinates) {
   const auto splines = make_control_splines(tests::paper_case(1), {.y_cells = 32, .v_cells = 64},
-                                            ControlCellWidths::narrower_at_walls);
+                                            SplineCellWidthDistribution::narrower_at_walls);
   const auto goal =
       make_goal_functions(splines.y_splines, splines.v_splines, {.origin = 0.5, .mirrored = true});
   const auto value = [&](std::size_t k, double y, double v) {
@@ -51,10 +51,11 @@ TEST(GoalFunctions, ArePowersOfThePhysicalCoordinates) {
 }
 
 TEST(ControlSplines, AreNarrowerAtTheWallUnlessTheMotionIsOffTheWall) {
-  const ControlCellCounts cells{.y_cells = 40, .v_cells = 88};
-  const auto even = make_control_splines(tests::paper_case(1), cells, ControlCellWidths::equal);
-  const auto splines =
-      make_control_splines(tests::paper_case(1), cells, ControlCellWidths::narrower_at_walls);
+  const ControlVariateCellCounts cells{.y_cells = 40, .v_cells = 88};
+  const auto even =
+      make_control_splines(tests::paper_case(1), cells, SplineCellWidthDistribution::equal);
+  const auto splines = make_control_splines(tests::paper_case(1), cells,
+                                            SplineCellWidthDistribution::narrower_at_walls);
   EXPECT_LT(splines.y_splines.breaks()[1], even.y_splines.breaks()[1] / 8);
   EXPECT_EQ(splines.y_splines.end(), even.y_splines.end());
   EXPECT_EQ(splines.v_splines.begin(), even.v_splines.begin());
@@ -62,7 +63,8 @@ TEST(ControlSplines, AreNarrowerAtTheWallUnlessTheMotionIsOffTheWall) {
   const auto pushed = tests::make_problem({.rate = 300, .mean = 0.9 * std::sqrt(0.1 / 300)});
   ASSERT_GT(problem::static_deflection(pushed),
             4 * problem::equivalent_linearisation(pushed).displacement_deviation);
-  const auto off_wall = make_control_splines(pushed, cells, ControlCellWidths::narrower_at_walls);
+  const auto off_wall =
+      make_control_splines(pushed, cells, SplineCellWidthDistribution::narrower_at_walls);
   constexpr int kEvenCells = 30;  // of 40, up to five deviations from the deflection
   for (int k = 2; k <= kEvenCells; ++k) {
     EXPECT_NEAR(off_wall.y_splines.breaks()[k], k * off_wall.y_splines.breaks()[1], 1e-12);

@@ -10,7 +10,8 @@ namespace {
 TEST(SplineShares, SumToOneWhereTheCellsCoverTheSplines) {
   const numerics::QuinticBSplines splines(numerics::graded_knots(-3, 3, 2, 12, 3));
   for (const auto& edges : {tests::uniform_edges(-3, 3, 7), tests::uniform_edges(-4, 5, 100)}) {
-    const Eigen::RowVectorXd sums = spline_fractions_in_cells(splines, edges).colwise().sum();
+    const Eigen::RowVectorXd sums =
+        spline_integral_fractions_in_cells(splines, edges).colwise().sum();
     EXPECT_LT((sums.array() - 1).abs().maxCoeff(), 1e-14);
   }
 }
@@ -20,7 +21,7 @@ TEST(SplineShares, OfPolynomialsAreTheirIntegrals) {
   // c.
   const numerics::QuinticBSplines splines(numerics::graded_knots(0, 3, 2, 9));
   const std::vector<double> edges{-1, 0.4, 0.45, 1.9, 2.5};
-  const Eigen::MatrixXd fractions = spline_fractions_in_cells(splines, edges);
+  const Eigen::MatrixXd fractions = spline_integral_fractions_in_cells(splines, edges);
   const auto cube = splines.coefficients_of_monomial(3);
   Eigen::VectorXd integrals(splines.size());
   for (int i = 0; i < splines.size(); ++i) {
@@ -37,8 +38,9 @@ TEST(SplineShares, OfPolynomialsAreTheirIntegrals) {
 
 TEST(SplineShares, RejectEdgesThatDoNotIncrease) {
   const numerics::QuinticBSplines splines(numerics::graded_knots(0, 3, 2, 9));
-  EXPECT_THROW(spline_fractions_in_cells(splines, std::vector<double>{0, 1, 1}), InputError);
-  EXPECT_THROW(spline_fractions_in_cells(splines, std::vector<double>{0}), InputError);
+  EXPECT_THROW(spline_integral_fractions_in_cells(splines, std::vector<double>{0, 1, 1}),
+               InputError);
+  EXPECT_THROW(spline_integral_fractions_in_cells(splines, std::vector<double>{0}), InputError);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "backward/control/control_function_fit.hpp"
+#include "backward/control_variates/control_variate_fit.hpp"
 #include "backward/residual/goal_functions.hpp"
 #include "backward/residual/unresolved_residual.hpp"
 #include "paper_cases.hpp"
@@ -18,11 +18,11 @@ using tests::kSigmaY;
 
 WeakResidualIntegrator make_case_integrator(const problem::Problem& problem) {
   return {problem, make_control_splines(problem, {.y_cells = 40, .v_cells = 88},
-                                        ControlCellWidths::narrower_at_walls)};
+                                        SplineCellWidthDistribution::narrower_at_walls)};
 }
 
-ControlFitProblem make_unit_fit_problem(const problem::Problem& problem,
-                                        const WeakResidualIntegrator& integrator) {
+ControlVariateFitProblem make_unit_fit_problem(const problem::Problem& problem,
+                                               const WeakResidualIntegrator& integrator) {
   return make_control_fit_problem(problem, integrator.y_splines(), integrator.v_splines(), 1);
 }
 
@@ -46,20 +46,21 @@ TEST(UnresolvedResidual, IsZeroForExactSolutions) {
   const auto problem = tests::paper_case(1);
   const auto integrator = make_case_integrator(problem);
   const std::vector<SeparableFunction> f{{constant_one, identity_function}};
-  const auto integrals = integrator.integrate(gaussian_density());
+  const auto integrals = integrator.integrate_density(gaussian_density());
   EXPECT_NEAR(integrals.cell_probabilities.sum(), 1, 1e-12);
-  const UnresolvedResidual solved(make_unit_fit_problem(problem, integrator), f,
-                                  {-coefficients_of_coordinate(integrator, false), {0}});
-  EXPECT_NEAR(solved.mean_absolute_residuals(integrals)(0), 0, 1e-12);
+  const BackwardEquationResiduals solved(make_unit_fit_problem(problem, integrator), f,
+                                         {-coefficients_of_coordinate(integrator, false), {0}});
+  EXPECT_NEAR(solved.mean_absolute_backward_residuals(integrals)(0), 0, 1e-12);
   // With the wrong sign the residual is 2 v, with a wrong mean the residual is the error of the
   // mean.
-  const UnresolvedResidual wrong(make_unit_fit_problem(problem, integrator), f,
-                                 {coefficients_of_coordinate(integrator, false), {0}});
-  EXPECT_NEAR(wrong.mean_absolute_residuals(integrals)(0),
+  const BackwardEquationResiduals wrong(make_unit_fit_problem(problem, integrator), f,
+                                        {coefficients_of_coordinate(integrator, false), {0}});
+  EXPECT_NEAR(wrong.mean_absolute_backward_residuals(integrals)(0),
               2 * kSigmaV * std::sqrt(2 / std::numbers::pi), 5e-3);
-  const UnresolvedResidual wrong_mean(make_unit_fit_problem(problem, integrator), f,
-                                      {-coefficients_of_coordinate(integrator, false), {0.3}});
-  EXPECT_NEAR(wrong_mean.mean_absolute_residuals(integrals)(0), 0.3, 1e-12);
+  const BackwardEquationResiduals wrong_mean(
+      make_unit_fit_problem(problem, integrator), f,
+      {-coefficients_of_coordinate(integrator, false), {0.3}});
+  EXPECT_NEAR(wrong_mean.mean_absolute_backward_residuals(integrals)(0), 0.3, 1e-12);
 }
 
 TEST(UnresolvedResidual, WeightsJumpsAtTheWallByTheFlux) {
@@ -67,11 +68,12 @@ TEST(UnresolvedResidual, WeightsJumpsAtTheWallByTheFlux) {
   const auto mean_residual = [](double restitution) {
     const auto problem = tests::make_problem({.restitution = restitution});
     const auto integrator = make_case_integrator(problem);
-    const UnresolvedResidual unresolved(
+    const BackwardEquationResiduals unresolved(
         make_unit_fit_problem(problem, integrator),
         std::vector<SeparableFunction>{{zero_function, zero_function}},
         {coefficients_of_coordinate(integrator, true), {0}});
-    return unresolved.mean_absolute_residuals(integrator.integrate(gaussian_density()))(0);
+    return unresolved.mean_absolute_backward_residuals(
+        integrator.integrate_density(gaussian_density()))(0);
   };
   const double flux = std::sqrt(std::numbers::pi / 2) * std::pow(kSigmaV, 3) /
                       (std::numbers::pi * kSigmaY * kSigmaV);  // int u^2 p(0, -u) du

@@ -110,7 +110,7 @@ TEST(WeakResiduals, MatchTheirDefinitionForEveryLaw) {
     const auto problem = tests::make_problem(
         {.damping = 0.3, .restitution = 0.7, .rate = 1.7, .mean = 0.1, .law = law});
     const auto integrator = make_coarse_integrator(problem);
-    const auto integrals = integrator.integrate(skew_density());
+    const auto integrals = integrator.integrate_density(skew_density());
     // Indices of functions at the wall (incoming, outgoing and at v = 0), inside, and of the last
     // function of y.
     for (const auto& [i, j] : {std::pair{0, 13}, {0, 19}, {0, 16}, {4, 12}, {7, 20}, {1, 18}}) {
@@ -132,8 +132,8 @@ TEST(WeakResiduals, OfCellAveragesAreThoseOfTheFunction) {
   }
   const auto grid =
       transform::average_over_cells(skew_density(), tests::uniform_edges(0, 6, 90), v);
-  const auto of_grid = integrator.integrate(grid),
-             of_function = integrator.integrate(skew_density());
+  const auto of_grid = integrator.integrate_density(grid),
+             of_function = integrator.integrate_density(skew_density());
   EXPECT_LT((of_grid.weak_residuals - of_function.weak_residuals).cwiseAbs().maxCoeff(), 1e-7);
   EXPECT_LT((of_grid.spline_means - of_function.spline_means).cwiseAbs().maxCoeff(), 1e-7);
   EXPECT_NEAR(of_grid.mass, transform::mass(grid), 1e-13);
@@ -142,7 +142,7 @@ TEST(WeakResiduals, OfCellAveragesAreThoseOfTheFunction) {
 TEST(WeakResiduals, SumToZeroAndMeansToOne) {
   for (const char* law : tests::kSymmetricLaws) {
     const auto problem = tests::make_problem({.restitution = 0.7, .mean = 0.1, .law = law});
-    const auto integrals = make_coarse_integrator(problem).integrate(skew_density());
+    const auto integrals = make_coarse_integrator(problem).integrate_density(skew_density());
     EXPECT_NEAR(integrals.weak_residuals.sum(), 0, 1e-14) << law;
     EXPECT_GT(integrals.weak_residuals.cwiseAbs().sum(), 0.1);
     EXPECT_NEAR(integrals.spline_means.sum(), 1, 1e-14);
@@ -154,7 +154,7 @@ TEST(WeakResiduals, OfPowersAreTheBalances) {
   const auto problem = tests::make_problem({.restitution = 0.7, .mean = 0.1});
   const auto integrator = make_coarse_integrator(problem);
   const auto p = skew_density();
-  const auto integrals = integrator.integrate(p);
+  const auto integrals = integrator.integrate_density(p);
   const auto of_y = integrator.y_splines().coefficients_of_monomial(1),
              of_v = integrator.v_splines().coefficients_of_monomial(1);
   const Eigen::Map<const Eigen::VectorXd> y(of_y.data(), std::ssize(of_y)),
@@ -185,7 +185,7 @@ TEST(WeakResiduals, VanishForTheExactSolutionWithTheGridsOrder) {
   for (const int cells : {48, 72, 108}) {
     const auto y = tests::uniform_edges(0, 6, cells), v = tests::uniform_edges(-6, 6, 2 * cells);
     const auto integrals =
-        integrator.integrate(transform::GridDensity{y, v, exact.joint_averages(y, v)});
+        integrator.integrate_density(transform::GridDensity{y, v, exact.joint_averages(y, v)});
     worst.push_back(integrals.weak_residuals.cwiseAbs().maxCoeff());
   }
   EXPECT_LT(worst[2], 3e-8);
@@ -199,7 +199,7 @@ TEST(WeakResiduals, VanishForTheExactSolutionWithTheGridsOrder) {
 TEST(WeakResiduals, RejectInvalidDensities) {
   const auto integrator = make_coarse_integrator(tests::make_problem());
   const auto refused = [&](const transform::Density& p) {
-    EXPECT_THROW(integrator.integrate(p), InputError);
+    EXPECT_THROW(integrator.integrate_density(p), InputError);
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double constant : {0.0, -1.0, nan}) {
@@ -211,7 +211,8 @@ TEST(WeakResiduals, RejectInvalidDensities) {
   refused(transform::GridDensity{{0, 1}, {-1, 1, 0}, {1, 1}});
   refused(transform::GridDensity{{0.5, 1}, {-1, 1}, {1}});
   refused(transform::GridDensity{{0}, {-1, 1}, {}});
-  EXPECT_NEAR(integrator.integrate(transform::GridDensity{{0, 1}, {-1, 1}, {1}}).mass, 2, 1e-14);
+  EXPECT_NEAR(integrator.integrate_density(transform::GridDensity{{0, 1}, {-1, 1}, {1}}).mass, 2,
+              1e-14);
 }
 
 }  // namespace

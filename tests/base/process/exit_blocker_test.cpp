@@ -19,7 +19,7 @@ TEST(ExitBlocker, DelaysReservationAndThenBlocksOthers) {
   std::optional<ProcessExitBlocker> outer(std::in_place);
   std::optional<ProcessExitBlocker> inner(std::in_place);
   std::jthread ending([&] {
-    wait_and_block_other_writers();
+    wait_for_exit_blockers();
     reserved = true;
     reserved.notify_all();
     const ProcessExitBlocker own;  // the thread that ends the process may write

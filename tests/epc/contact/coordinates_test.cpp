@@ -18,14 +18,14 @@ problem::Problem pressed_mass_problem(const problem::SystemCoefficients& coeffic
 
 TEST(ContactCoordinates, ApplyWhereOneWallIsPressedOnFromEverywhere) {
   const auto impulses = tests::gaussian_impulses(1, 0.1);
-  EXPECT_TRUE(force_presses_on_single_wall(
+  EXPECT_TRUE(spring_presses_on_single_wall(
       pressed_mass_problem({.constant = 0.5, .stiffness = 1, .restitution = 0.7})));
-  EXPECT_FALSE(force_presses_on_single_wall(
+  EXPECT_FALSE(spring_presses_on_single_wall(
       pressed_mass_problem({.damping = 0.1, .stiffness = 1, .restitution = 0.7})));
-  EXPECT_FALSE(force_presses_on_single_wall(
+  EXPECT_FALSE(spring_presses_on_single_wall(
       pressed_mass_problem({.constant = 0.5, .stiffness = 1, .restitution = 1.0})));
   // At the wall the force presses the mass against the wall, but there is another well.
-  EXPECT_FALSE(force_presses_on_single_wall(tests::in_wall_coordinates(
+  EXPECT_FALSE(spring_presses_on_single_wall(tests::in_wall_coordinates(
       tests::with_impulses(System({.damping = 0.1, .stiffness = -1, .cubic = 1},
                                   {.left = -0.5, .left_restitution = 0.7}),
                            impulses))));
@@ -33,11 +33,11 @@ TEST(ContactCoordinates, ApplyWhereOneWallIsPressedOnFromEverywhere) {
       tests::with_impulses(System({.damping = 0.1, .constant = -0.5, .stiffness = 1},
                                   {.right = 0, .right_restitution = 0.7}),
                            impulses);
-  EXPECT_TRUE(force_presses_on_single_wall(on_the_right));
-  EXPECT_TRUE(force_presses_on_single_wall(tests::in_wall_coordinates(on_the_right)));
+  EXPECT_TRUE(spring_presses_on_single_wall(on_the_right));
+  EXPECT_TRUE(spring_presses_on_single_wall(tests::in_wall_coordinates(on_the_right)));
   auto noisy = pressed_mass_problem({.constant = 0.5, .stiffness = 1, .restitution = 0.7});
   noisy.noise.intensity = 0.1;
-  EXPECT_FALSE(force_presses_on_single_wall(noisy));
+  EXPECT_FALSE(spring_presses_on_single_wall(noisy));
 }
 
 TEST(ContactCoordinates, AreInverseToEachOtherAndOfTheEnergy) {
@@ -98,14 +98,14 @@ TEST(ContactContour, LeadingFormIsTheSignOfTheHighestPowersAlongEveryPhase) {
   EXPECT_TRUE(amplitude::leading_form_of_amplitude_exponent<AmplitudeVelocityCoordinates>(
                   ExponentPolynomial({{2, 0, -1}, {0, 2, 0.5}}), {1, 1})
                   .negative);
-  const LeadingFormOfExponent rising =
+  const ExponentBehaviourAtInfinity rising =
       amplitude::leading_form_of_amplitude_exponent<AmplitudeVelocityCoordinates>(
           ExponentPolynomial({{2, 0, -1}, {0, 2, 1.2}}), {1, 1});
   EXPECT_FALSE(rising.negative);
   EXPECT_NEAR(std::abs(rising.worst.x2), 1, 1e-15);
   EXPECT_GT(rising.rising_fraction, 0);
   EXPECT_LT(rising.rising_fraction, 0.5);
-  const LeadingFormOfExponent turning =
+  const ExponentBehaviourAtInfinity turning =
       amplitude::leading_form_of_amplitude_exponent<AmplitudeVelocityCoordinates>(
           ExponentPolynomial({{2, 0, -1}, {4, 0, 0.02}}), {1, 2});
   EXPECT_NEAR(turning.rises_from, 2.5, 0.06);  // in deviations of v

@@ -34,7 +34,7 @@ problem::Problem pressed_mass_problem(const char* law) {
 }
 
 ClosureEquations contact_equations_of(const problem::Problem& p, int order, int points_each_way,
-                                      const half_plane::ExponentConfinement& confinement = {}) {
+                                      const half_plane::ExponentConfinementTerm& confinement = {}) {
   const AmplitudeVelocityCoordinates coordinates(p);
   const QuadraturePoints points = amplitude::quadrature_points(
       coordinates, kRhoMax, {}, {points_each_way, points_each_way, kContactWallPoints});
@@ -126,7 +126,7 @@ TEST(ContactEquations, JacobianIsTheDerivativeOfTheResidual) {
   const auto p = pressed_mass_problem("laplace");
   for (const double level : {std::numeric_limits<double>::infinity(), 1.5}) {
     const ClosureEquations equations =
-        contact_equations_of(p, 4, 24, half_plane::ExponentConfinement{level});
+        contact_equations_of(p, 4, 24, half_plane::ExponentConfinementTerm{level});
     tests::expect_jacobian_is_derivative(equations, perturbed_contact_coefficients(equations));
   }
 }

@@ -5,7 +5,7 @@
 
 #include "closures.hpp"
 #include "epc/closed_form_density.hpp"
-#include "epc/form/closed_form.hpp"
+#include "epc/form/closed_form_parameters.hpp"
 #include "epc/formulations.hpp"
 #include "epc/solve.hpp"
 #include "general_oscillators.hpp"

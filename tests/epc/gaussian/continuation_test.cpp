@@ -17,7 +17,7 @@ TEST(Continuation, ReachesTheRootOfPlainNewtonSteps) {
     const problem::Problem p = tests::paper_case(number);
     const auto [s1, s2] = gaussian_weight_deviations(p);
     const ProjectedEquations projection = projection_of(p, 6);
-    const ResidualCoefficients f = residual_coefficients(p, DensityEquation::km4);
+    const DensityEquationCoefficients f = residual_coefficients(p, DensityEquation::km4);
     const auto start = projection.basis().scaled_coefficients(
         {{2, 0, -1 / (2 * s1 * s1)}, {0, 2, -1 / (2 * s2 * s2)}});
     const NewtonResult plain = solve_by_newton(projection, f, start, {.damped = false});
@@ -25,7 +25,7 @@ TEST(Continuation, ReachesTheRootOfPlainNewtonSteps) {
     const auto [branch, root] = follow_solution_branch(projection, f, 1e-10);
     ASSERT_TRUE(plain.converged);
     ASSERT_TRUE(damped.converged);
-    ASSERT_EQ(branch.end, SolutionBranchEnd::full_problem);
+    ASSERT_EQ(branch.end, SolutionBranchEndReason::full_problem);
     EXPECT_EQ(branch.furthest, 1);
     EXPECT_LT((plain.a - root.a).norm(), 1e-10);
     EXPECT_LT((plain.a - damped.a).norm(), 1e-10);
@@ -39,7 +39,7 @@ TEST(Continuation, GoesPastTheFoldAndBackToWhiteNoise) {
   const auto [branch, root] =
       follow_solution_branch(projection, residual_coefficients(p, DensityEquation::km4), 1e-10);
   EXPECT_FALSE(root.converged);
-  EXPECT_EQ(branch.end, SolutionBranchEnd::white_noise);
+  EXPECT_EQ(branch.end, SolutionBranchEndReason::white_noise);
   EXPECT_NEAR(branch.furthest, 0.65475, 1e-5);
   EXPECT_EQ(branch.points.front().fraction, 0);
   EXPECT_EQ(branch.points.back().fraction, 0);
@@ -55,7 +55,7 @@ TEST(Continuation, GoesPastTheFoldAndBackToWhiteNoise) {
 
 TEST(Continuation, AddsTheEquationsOfTheNextOrder) {
   const problem::Problem p = tests::make_problem({.rate = 10});
-  const ResidualCoefficients f = residual_coefficients(p, DensityEquation::km4);
+  const DensityEquationCoefficients f = residual_coefficients(p, DensityEquation::km4);
   const ProjectedEquations four = projection_of(p, 4), six = projection_of(p, 6);
   const auto [branch, before] = follow_solution_branch(four, f, 1e-10);
   ASSERT_TRUE(before.converged);
@@ -72,10 +72,10 @@ TEST(Continuation, AddsTheEquationsOfTheNextOrder) {
 TEST(Continuation, StartsFromTheExactDensityOfAQuinticSpring) {
   const problem::Problem p = tests::make_problem({.restitution = 1});
   const ProjectedEquations projection = projection_of(p, 6);
-  ResidualCoefficients f = residual_coefficients(p, DensityEquation::white);
+  DensityEquationCoefficients f = residual_coefficients(p, DensityEquation::white);
   f.odd_force = numerics::Polynomial({0, 1, 0, 0.1, 0, 0.02});
   const auto [branch, root] = follow_solution_branch(projection, f, 1e-10);
-  EXPECT_EQ(branch.end, SolutionBranchEnd::full_problem);
+  EXPECT_EQ(branch.end, SolutionBranchEndReason::full_problem);
   EXPECT_TRUE(root.converged);
   const double beta = f.damping / (f.rate_times_moment[2] / 2);
   const Eigen::VectorXd exact = projection.basis().scaled_coefficients(
@@ -86,19 +86,19 @@ TEST(Continuation, StartsFromTheExactDensityOfAQuinticSpring) {
 TEST(Continuation, StartsNearTheDensityOfASpringOfEvenPowers) {
   const problem::Problem p = tests::make_problem({});
   const ProjectedEquations projection = projection_of(p, 6);
-  ResidualCoefficients f = residual_coefficients(p, DensityEquation::km4);
+  DensityEquationCoefficients f = residual_coefficients(p, DensityEquation::km4);
   f.even_force = numerics::Polynomial({0, 0, 0.2});
   const auto [branch, root] = follow_solution_branch(projection, f, 1e-10);
-  EXPECT_EQ(branch.end, SolutionBranchEnd::full_problem);
+  EXPECT_EQ(branch.end, SolutionBranchEndReason::full_problem);
   EXPECT_TRUE(root.converged);
   EXPECT_LT(projection.residual(f, root.a).norm(), 1e-10);
 }
 
 TEST(Continuation, PathBeginsWithWhiteNoiseAndNoLoss) {
-  const ResidualCoefficients full = residual_coefficients(
+  const DensityEquationCoefficients full = residual_coefficients(
       tests::make_problem({.restitution = 0.7, .mean = 0.1}), DensityEquation::km4);
-  const ResidualCoefficients start = homotopy_coefficients(full, 0),
-                             half = homotopy_coefficients(full, 0.5);
+  const DensityEquationCoefficients start = homotopy_coefficients(full, 0),
+                                    half = homotopy_coefficients(full, 0.5);
   EXPECT_EQ(start.impact_loss, 0);
   EXPECT_EQ(start.rate_times_moment[1], 0);
   EXPECT_EQ(start.rate_times_moment[2], full.rate_times_moment[2]);
@@ -106,7 +106,7 @@ TEST(Continuation, PathBeginsWithWhiteNoiseAndNoLoss) {
   EXPECT_EQ(start.rate_times_moment[4], 0);
   EXPECT_DOUBLE_EQ(half.rate_times_moment[4], full.rate_times_moment[4] / 2);
   EXPECT_DOUBLE_EQ(half.impact_loss, 0.15);
-  const ResidualCoefficients jumps =
+  const DensityEquationCoefficients jumps =
       residual_coefficients(tests::paper_case(1), DensityEquation::kf);
   EXPECT_EQ(full.jump_fraction, 0);
   EXPECT_EQ(jumps.jump_fraction, 1);

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "epc/form/polynomial.hpp"
+#include "epc/form/exponent_polynomial.hpp"
 #include "epc/gaussian/density_support.hpp"
 #include "scaled_polynomials.hpp"
 #include "trapezoid.hpp"
@@ -24,9 +24,9 @@ TEST(DensitySupport, OfAGaussianReachesToWhereItIsNegligible) {
   EXPECT_NEAR(support.x2_max(), radius * kSigma.x2, 1e-9);
   EXPECT_NEAR(support.integral_relative_to_peak(), 2 * std::numbers::pi * kSigma.x1 * kSigma.x2,
               1e-12);
-  EXPECT_NEAR(support.edge_density_ratio() / DensitySupport::kNegligible, 1, 1e-6);
+  EXPECT_NEAR(support.support_edge_to_peak_density_ratio() / DensitySupport::kNegligible, 1, 1e-6);
   // The estimate is exact for the tail of a Gaussian.
-  EXPECT_NEAR(support.cut_off_probability() / DensitySupport::kNegligible, 1, 1e-6);
+  EXPECT_NEAR(support.probability_outside_support() / DensitySupport::kNegligible, 1, 1e-6);
   EXPECT_TRUE(support.contains(0, 0.99 * radius * kSigma.x2));
   EXPECT_FALSE(support.contains(0, -1.01 * radius * kSigma.x2));
   EXPECT_FALSE(support.contains(1.01 * radius * kSigma.x1, 0));
@@ -38,7 +38,7 @@ TEST(DensitySupport, EndsWhereTheExponentBeginsToRise) {
   const DensitySupport support(radial_quartic_polynomial(quartic), kSigma);
   EXPECT_NEAR(support.smallest_support_radius(), 5, 1e-9);
   EXPECT_NEAR(support.largest_support_radius(), 5, 1e-9);
-  EXPECT_NEAR(support.edge_density_ratio(), std::exp(-6.25), 1e-9);
+  EXPECT_NEAR(support.support_edge_to_peak_density_ratio(), std::exp(-6.25), 1e-9);
   EXPECT_FALSE(support.contains(0, 5.01 * kSigma.x2));
 }
 
@@ -57,14 +57,14 @@ TEST(DensitySupport, KeepsADipInTheMiddle) {
   // Two peaks at u = +-2, a factor exp(8) above the saddle at the origin.
   const ExponentPolynomial q = scaled_polynomial({{2, 0, 4}, {4, 0, -0.5}, {0, 2, -0.5}});
   const DensitySupport support(q, kSigma);
-  EXPECT_NEAR(support.peak_exponent(), 8, 2e-3);
+  EXPECT_NEAR(support.largest_exponent_in_support(), 8, 2e-3);
   EXPECT_TRUE(support.contains(0, 0));
   EXPECT_TRUE(support.contains(2 * kSigma.x1, 0));
-  EXPECT_LT(support.edge_density_ratio(), 1e-9);
+  EXPECT_LT(support.support_edge_to_peak_density_ratio(), 1e-9);
   const double along_u = tests::trapezoid(
       [](double u) { return std::exp(4 * u * u - u * u * u * u / 2); }, -6, 6, 400);
   const double expected = along_u * std::sqrt(2 * std::numbers::pi) * kSigma.x1 * kSigma.x2 *
-                          std::exp(-support.peak_exponent());
+                          std::exp(-support.largest_exponent_in_support());
   EXPECT_NEAR(support.integral_relative_to_peak() / expected, 1, 1e-9);
 }
 
@@ -74,7 +74,7 @@ TEST(DensitySupport, KeepsAShoulder) {
       scaled_polynomial({{2, 0, -0.5}, {0, 2, -2}, {0, 4, 0.3}, {0, 6, -0.0135}});
   const DensitySupport support(q, kSigma);
   EXPECT_TRUE(support.contains(0, 3 * kSigma.x2));
-  EXPECT_LT(support.edge_density_ratio(), 1e-9);
+  EXPECT_LT(support.support_edge_to_peak_density_ratio(), 1e-9);
 }
 
 TEST(DensitySupport, LeavesOutARiseAboveThePeak) {
@@ -83,7 +83,7 @@ TEST(DensitySupport, LeavesOutARiseAboveThePeak) {
       scaled_polynomial({{2, 0, -0.5}, {0, 2, -1}, {0, 4, 0.1}, {0, 8, -5e-6}});
   const DensitySupport support(q, kSigma);
   EXPECT_LT(support.smallest_support_radius(), 2.3);
-  EXPECT_NEAR(support.edge_density_ratio(), std::exp(-2.5), 1e-3);
+  EXPECT_NEAR(support.support_edge_to_peak_density_ratio(), std::exp(-2.5), 1e-3);
   EXPECT_FALSE(support.contains(0, 5 * kSigma.x2));
 }
 

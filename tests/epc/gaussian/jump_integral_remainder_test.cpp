@@ -32,7 +32,7 @@ TEST(JumpIntegralRemainder, IsTheJumpIntegralLessItsSeries) {
   const double a = 0.8, b = 0.35, radius = 3;  // Q = -a x2^2 + b x1 x2 - x1^2 / 2
   const Eigen::VectorXd coefficients =
       basis.scaled_coefficients({{2, 0, -0.5}, {1, 1, b}, {0, 2, -a}});
-  const auto [s1, s2] = basis.sigma();
+  const auto [s1, s2] = basis.weight_standard_deviations();
   const auto& impulses = p.impulses;
   const auto remainder = [&](double x1, double x2) {
     const double side = x1 > 0 ? 1 : -1;
@@ -77,7 +77,7 @@ TEST(JumpIntegralRemainder, OddProjectionsOfAPointSymmetricPolynomialVanish) {
   const problem::Problem p = tests::make_problem({.mean = 0.1, .law = "laplace"});
   const GaussianWeightedBasis half = make_basis(p, 4),
                               whole = make_basis(p, 4, MonomialSet::general);
-  const auto [s1, s2] = half.sigma();
+  const auto [s1, s2] = half.weight_standard_deviations();
   const std::vector<ExponentMonomial> q{
       {2, 0, -0.5 / (s1 * s1)}, {0, 2, -0.5 / (s2 * s2)}, {1, 1, 0.1}, {0, 4, -0.01}};
   const Eigen::VectorXd even =
@@ -96,8 +96,8 @@ TEST(JumpIntegralRemainder, JacobianIsTheDerivativeOfTheProjection) {
     const problem::Problem p = tests::make_problem({.mean = 0.1, .law = law});
     const GaussianWeightedBasis basis = make_basis(p, 6);
     const ProjectedEquations projection(basis, p.impulses);
-    const ResidualCoefficients f = residual_coefficients(p, DensityEquation::kf);
-    const auto [s1, s2] = basis.sigma();
+    const DensityEquationCoefficients f = residual_coefficients(p, DensityEquation::kf);
+    const auto [s1, s2] = basis.weight_standard_deviations();
     Eigen::VectorXd a = basis.scaled_coefficients(
         {{2, 0, -0.5 / (s1 * s1)}, {0, 2, -0.5 / (s2 * s2)}, {1, 3, 0.02}, {0, 6, -0.001}});
     const Eigen::MatrixXd jacobian = projection.jacobian(f, a);
@@ -119,7 +119,7 @@ TEST(JumpIntegralRemainder, IsOfSixthOrderInTheImpulses) {
   const auto size = [](double rate) {
     const problem::Problem p = tests::make_problem({.rate = rate});
     const GaussianWeightedBasis basis = make_basis(p, 4);
-    const auto [s1, s2] = basis.sigma();
+    const auto [s1, s2] = basis.weight_standard_deviations();
     return JumpIntegralRemainder(basis, p.impulses)
         .projected_remainder(
             basis.scaled_coefficients({{2, 0, -0.5 / (s1 * s1)}, {0, 2, -0.3 / (s2 * s2)}}))

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "epc/gaussian/basis.hpp"
+#include "epc/gaussian/gaussian_weighted_basis.hpp"
 #include "epc/selection_policy.hpp"
 #include "epc/solve.hpp"
 #include "paper_cases.hpp"

@@ -26,7 +26,7 @@ TEST(GaussianNewton, DampedStepsNeverRaiseTheResidual) {
   const problem::Problem p = tests::paper_case(1);
   const ProjectedEquations projection = projection_of(p, 8);
   const auto f = residual_coefficients(p, DensityEquation::km4);
-  const auto [s1, s2] = projection.basis().sigma();
+  const auto [s1, s2] = projection.basis().weight_standard_deviations();
   const Eigen::VectorXd start = projection.basis().scaled_coefficients(
       {{2, 0, -1 / (2 * s1 * s1)}, {0, 2, -1 / (2 * s2 * s2)}});
   double before = projection.residual(f, start).norm();
@@ -42,11 +42,11 @@ TEST(GaussianNewton, ResidualUnitHasALowerLimit) {
   const problem::Problem p = tests::make_problem({.damping = 1e-7});
   const ProjectedEquations projection = projection_of(p, 4);
   const auto f = residual_coefficients(p, DensityEquation::km4);
-  const auto [s1, s2] = projection.basis().sigma();
-  EXPECT_DOUBLE_EQ(projected_residual_unit(projection, f), 1e-4 * s2 / s1);
+  const auto [s1, s2] = projection.basis().weight_standard_deviations();
+  EXPECT_DOUBLE_EQ(unit_of_projected_residual(projection, f), 1e-4 * s2 / s1);
   EXPECT_DOUBLE_EQ(
-      projected_residual_unit(projection_of(tests::paper_case(1), 4),
-                              residual_coefficients(tests::paper_case(1), DensityEquation::km4)),
+      unit_of_projected_residual(projection_of(tests::paper_case(1), 4),
+                                 residual_coefficients(tests::paper_case(1), DensityEquation::km4)),
       0.1);
 }
 

@@ -113,7 +113,8 @@ double normal_density(double x, double sigma) {
 Eigen::VectorXd directly_evaluated_residual(const DirectEvaluation& brute,
                                             const GaussianWeightedBasis& basis) {
   constexpr int kPanels = 4;
-  const double s1 = basis.sigma().x1, s2 = basis.sigma().x2;
+  const double s1 = basis.weight_standard_deviations().x1,
+               s2 = basis.weight_standard_deviations().x2;
   const double far = 11;
   const auto both_halves = [&](const auto& g, double sigma) -> Eigen::VectorXd {
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(basis.size());
@@ -170,7 +171,7 @@ TEST_P(ProjectionOf, JacobianIsTheDerivativeOfTheResidual) {
   const auto [set, equation] = GetParam();
   const problem::Problem problem = skewed_problem();
   const ProjectedEquations projection = make_projection(problem, 6, set);
-  const ResidualCoefficients f = residual_coefficients(problem, equation);
+  const DensityEquationCoefficients f = residual_coefficients(problem, equation);
   const Eigen::VectorXd a = random_coefficients(projection.basis().size(), 0.1);
   const Eigen::MatrixXd jacobian = projection.jacobian(f, a);
   const double h = 1e-4;
@@ -195,7 +196,7 @@ TEST(ProjectedEquations, TakesEveryPowerOfTheSpring) {
   const problem::Problem problem = skewed_problem();
   const numerics::Polynomial even({0, 0, 0.3, 0, -0.05}), odd({0, 0.7, 0, 0.4, 0, 0.02}),
       force({0, 0.7, 0.3, 0.4, -0.05, 0.02});
-  ResidualCoefficients f = residual_coefficients(problem, DensityEquation::km4);
+  DensityEquationCoefficients f = residual_coefficients(problem, DensityEquation::km4);
   f.even_force = even;
   f.odd_force = odd;
   for (const int order : {2, 4}) {
@@ -222,7 +223,7 @@ TEST(ProjectedEquations, TakesEveryPowerOfTheSpring) {
 
 TEST(ProjectedEquations, SplitsTheForceByTheParityOfItsPowers) {
   const problem::Problem problem = skewed_problem();
-  const ResidualCoefficients f = residual_coefficients(problem, DensityEquation::km4);
+  const DensityEquationCoefficients f = residual_coefficients(problem, DensityEquation::km4);
   EXPECT_EQ(f.odd_force.coefficients(), problem.system.restoring_force().coefficients());
   EXPECT_EQ(f.even_force.coefficients(), numerics::Polynomial::Coefficients{});
 }
@@ -231,7 +232,7 @@ TEST(ProjectedEquations, OddProjectionsOfAPointSymmetricPolynomialVanish) {
   const problem::Problem problem = skewed_problem();
   const ProjectedEquations half = make_projection(problem, 6, MonomialSet::point_symmetric);
   const ProjectedEquations whole = make_projection(problem, 6, MonomialSet::general);
-  const ResidualCoefficients f = residual_coefficients(problem, DensityEquation::km4);
+  const DensityEquationCoefficients f = residual_coefficients(problem, DensityEquation::km4);
   const Eigen::VectorXd a = random_coefficients(half.basis().size(), 0.1);
   const Eigen::VectorXd small = half.residual(f, a);
   const Eigen::VectorXd large = whole.residual(

@@ -28,8 +28,8 @@ inline Eigen::VectorXd boltzmann_mass(const epc::half_plane::QuadraturePoints& p
 inline Eigen::VectorXd boltzmann_coefficients(const epc::half_plane::ClosureEquations& equations,
                                               double temperature) {
   const auto& points = equations.points();
-  return equations.fit_coefficients(-points.energy / temperature,
-                                    boltzmann_mass(points, temperature));
+  return equations.fit_exponent_coefficients(-points.energy / temperature,
+                                             boltzmann_mass(points, temperature));
 }
 
 /// Returns the coefficients plus a random perturbation that removes all symmetries.

@@ -20,9 +20,9 @@ ClosureEquations moment_equations_of_order_4(const problem::Problem& p) {
   std::vector<double> rate_times_moment(kOrder + 1);
   for (int j = 1; j <= kOrder; ++j) rate_times_moment[j] = p.impulses.rate_times_moment(j);
   const double temperature = tests::temperature_of(p);
-  const ExponentConfinement confinement{18 * temperature};
-  const moment::EnergyDomain domain(
-      p, confinement.level * ExponentConfinement::support_to_level_ratio());
+  const ExponentConfinementTerm confinement{18 * temperature};
+  const moment::EnergySublevelSet domain(
+      p, confinement.level * ExponentConfinementTerm::support_to_level_ratio());
   const QuadraturePoints points = domain.quadrature_points(50, 60);
   const OrthonormalBasis basis(kOrder, points, tests::boltzmann_mass(points, temperature));
   return moment::closure_equations(p, rate_times_moment, domain, confinement, basis, points, 60);

@@ -12,9 +12,9 @@ using transform::Status;
 
 // Returns the status of a root whose slowest deviation has the given eigenvalue.
 ClosureResult result_with_eigenvalue(std::complex<double> eigenvalue) {
-  RootSearchResult root;
+  ClosureRootSearchResult root;
   root.rightmost_eigenvalue = eigenvalue;
-  root.rate_of_change_unit = 0.1;
+  root.relaxation_rate_unit = 0.1;
   ClosureResult result;
   result.solution.mass = 1;
   result.summary.half_plane = HalfPlaneClosureSummary{};

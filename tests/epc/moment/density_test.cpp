@@ -17,8 +17,9 @@ const problem::Problem kLinear = make_problem({.cubic = 0});
 TEST(MomentTail, ProbabilityBeyondIsThatOfAGaussian) {
   const double temperature = 0.7, energy = 4;
   const ExponentPolynomial q({{2, 0, -1 / (2 * temperature)}, {0, 2, -1 / (2 * temperature)}});
-  EXPECT_NEAR(probability_beyond_contour(q, domain_edge_contour(EnergyDomain(kLinear, energy)),
-                                         temperature, std::log(M_PI * temperature)),
+  EXPECT_NEAR(probability_beyond_contour(
+                  q, energy_contour_of_domain_edge(EnergySublevelSet(kLinear, energy)), temperature,
+                  std::log(M_PI * temperature)),
               std::exp(-energy / temperature), 1e-4 * std::exp(-energy / temperature));
 }
 
@@ -61,7 +62,7 @@ TEST(MomentTail, ARiseEndsAFall) {
 }
 
 TEST(MomentTail, RadiiAreThoseOfTheScaledContour) {
-  const auto edge = domain_edge_contour(EnergyDomain(kLinear, 2));  // radius 2
+  const auto edge = energy_contour_of_domain_edge(EnergySublevelSet(kLinear, 2));  // radius 2
   const auto [least, greatest] = scaled_radius_range(edge, {.x1 = 0.5, .x2 = 1});
   EXPECT_NEAR(least, 2, 0.02);  // on the wall
   EXPECT_NEAR(greatest, 4, 0.02);

@@ -24,7 +24,7 @@ TEST(EnergyAveragedExponent, IsTheEnergyWhereDampingIsConstant) {
     }
   }
   EXPECT_NEAR(exponent.temperature(), 2, 0.01);  // a sum over bands
-  EXPECT_NEAR(exponent.energy_at_exponent_depth(20), 40, 0.5);
+  EXPECT_NEAR(exponent.energy_at_exponent_decrease(20), 40, 0.5);
   EXPECT_EQ(exponent.barrier_energy(), 0);
   EXPECT_GT(exponent.energy_of_95_percent_quantile(), 4);
   EXPECT_LT(exponent.energy_of_95_percent_quantile(),

@@ -32,7 +32,7 @@ double integral_over_domain(const QuadraturePoints& points, auto&& f) {
 // For k = 4 the domain is the half-ellipse 2 y^2 + v^2/2 <= level.
 TEST(EnergyDomain, OfALinearOscillatorIsAHalfEllipse) {
   const double level = 3;
-  const EnergyDomain domain(make_problem({.stiffness = 4, .cubic = 0}), level);
+  const EnergySublevelSet domain(make_problem({.stiffness = 4, .cubic = 0}), level);
   const double a = std::sqrt(level / 2), b = std::sqrt(2 * level);
   EXPECT_NEAR(domain.y_max(), a, 1e-14);
   EXPECT_NEAR(domain.v_max(), b, 1e-14);
@@ -51,7 +51,7 @@ TEST(EnergyDomain, OfALinearOscillatorIsAHalfEllipse) {
 
 // Area of the domain as an integral over y, by midpoints after the substitution y = y_max sin(phi).
 TEST(EnergyDomain, RuleConvergesOnADuffingOscillator) {
-  const EnergyDomain domain(make_problem({.cubic = 2}), 5);
+  const EnergySublevelSet domain(make_problem({.cubic = 2}), 5);
   const auto bell = [&](double y, double v) {
     return std::exp(-domain.energy(y, v)) * (1 + v * y);
   };
@@ -74,7 +74,7 @@ TEST(EnergyDomain, RuleConvergesOnADuffingOscillator) {
 // the wall.
 TEST(EnergyDomain, OfAHeldOscillatorIsAnOvalUntilItMeetsTheWall) {
   const auto held = make_problem({.cubic = 0, .rate = 100, .intensity = 0.5, .mean = 0.03});
-  const EnergyDomain oval(held, 2);
+  const EnergySublevelSet oval(held, 2);
   EXPECT_NEAR(oval.y_low(), 1, 1e-12);
   EXPECT_NEAR(oval.y_max(), 5, 1e-12);
   EXPECT_EQ(oval.left_wall_quadrature_rule(8).size(), 0);
@@ -86,7 +86,7 @@ TEST(EnergyDomain, OfAHeldOscillatorIsAnOvalUntilItMeetsTheWall) {
       pi * 12, 1e-11);
 
   // At this level the wall cuts the circle of radius 5 about (3, 0) at y = 0.
-  const EnergyDomain cut(held, 12.5);
+  const EnergySublevelSet cut(held, 12.5);
   EXPECT_EQ(cut.y_low(), 0);
   EXPECT_NEAR(cut.velocity_half_width(0), 4, 1e-12);
   EXPECT_NEAR(
@@ -98,7 +98,7 @@ TEST(EnergyDomain, OfAHeldOscillatorIsAnOvalUntilItMeetsTheWall) {
 
 TEST(EnergyDomain, OfAnOscillatorPushedToTheWallBeginsAtTheWall) {
   const auto pushed = make_problem({.cubic = 0, .rate = 100, .intensity = 0.5, .mean = -0.03});
-  const EnergyDomain domain(pushed, 3.5);  // y^2/2 + 3 y = 3.5 at y = 1
+  const EnergySublevelSet domain(pushed, 3.5);  // y^2/2 + 3 y = 3.5 at y = 1
   EXPECT_NEAR(domain.y_max(), 1, 1e-12);
   EXPECT_NEAR(domain.velocity_half_width(0), std::sqrt(7.0), 1e-12);
   const QuadraturePoints quadrature_points = domain.quadrature_points(40, 10);
@@ -108,7 +108,7 @@ TEST(EnergyDomain, OfAnOscillatorPushedToTheWallBeginsAtTheWall) {
 }
 
 TEST(EnergyDomain, PointsCarryTheirCoordinatesAndEnergies) {
-  const EnergyDomain domain(make_problem({.cubic = 2}), 5);
+  const EnergySublevelSet domain(make_problem({.cubic = 2}), 5);
   const QuadraturePoints quadrature_points = domain.quadrature_points(9, 7);
   EXPECT_EQ(quadrature_points.size(), 63);
   EXPECT_EQ(quadrature_points.s, quadrature_points.y);
@@ -124,14 +124,14 @@ TEST(EnergyDomain, PointsCarryTheirCoordinatesAndEnergies) {
 TEST(EnergyDomain, IsWhatWallsLeaveOfTheCircle) {
   const double level = 2;
   const auto circle = [&](const problem::WallParameters& walls) {
-    return EnergyDomain(
+    return EnergySublevelSet(
         tests::with_noise(problem::System({.damping = 0.1, .stiffness = 1}, walls), 0.1), level);
   };
   const auto one = [](double, double) { return 1.0; };
   const auto area_from = [](double y) {  // area of the part of the circle right of y
     return 4 * std::acos(y / 2) - y * std::sqrt(4 - y * y);
   };
-  const EnergyDomain whole = circle({.none = true});
+  const EnergySublevelSet whole = circle({.none = true});
   EXPECT_NEAR(whole.y_low(), -2, 1e-12);
   EXPECT_NEAR(whole.y_low(), -2, 1e-12);
   EXPECT_NEAR(integral_over_domain(whole.quadrature_points(12, 10), one), 4 * pi, 1e-12);
@@ -139,13 +139,13 @@ TEST(EnergyDomain, IsWhatWallsLeaveOfTheCircle) {
   EXPECT_EQ(whole.right_wall_quadrature_rule(8).size(), 0);
   EXPECT_TRUE(whole.contains(-1.9, 0.1));
 
-  const EnergyDomain gap = circle({.left = -1, .left_restitution = 1});
+  const EnergySublevelSet gap = circle({.left = -1, .left_restitution = 1});
   EXPECT_NEAR(integral_over_domain(gap.quadrature_points(20, 10), one), area_from(-1), 1e-11);
   EXPECT_NEAR(wall_integral(gap.left_wall_quadrature_rule(8), [](double v) { return v; }), -1.5,
               1e-12);
   EXPECT_FALSE(gap.contains(-1.1, 0));
 
-  const EnergyDomain strip =
+  const EnergySublevelSet strip =
       circle({.left = -1, .left_restitution = 1, .right = 0.5, .right_restitution = 1});
   EXPECT_NEAR(integral_over_domain(strip.quadrature_points(20, 10), one),
               area_from(-1) - area_from(0.5), 1e-11);
@@ -161,7 +161,7 @@ TEST(EnergyDomain, IsWhatWallsLeaveOfTheCircle) {
 TEST(EnergyDomain, HasAPartInEachWell) {
   const auto p = tests::with_noise(
       problem::System({.damping = 0.1, .stiffness = -1, .cubic = 1}, {.none = true}), 0.1);
-  const EnergyDomain wells(p, 0.16);
+  const EnergySublevelSet wells(p, 0.16);
   ASSERT_EQ(wells.y_intervals().size(), 2U);
   EXPECT_NEAR(wells.y_low(), -std::sqrt(1.8), 1e-12);
   EXPECT_NEAR(wells.y_intervals()[0].right, -std::sqrt(0.2), 1e-12);
@@ -174,7 +174,7 @@ TEST(EnergyDomain, HasAPartInEachWell) {
   // one part is (1/2) pi/2 (0.8)^2 / sqrt 2 * 2.
   EXPECT_NEAR(integral_over_domain(quadrature_points, [](double y, double) { return std::abs(y); }),
               2 * pi / 2 * 0.64 / std::numbers::sqrt2, 1e-10);
-  EXPECT_EQ(EnergyDomain(p, 0.26).y_intervals().size(), 1U);
+  EXPECT_EQ(EnergySublevelSet(p, 0.26).y_intervals().size(), 1U);
 }
 
 }  // namespace

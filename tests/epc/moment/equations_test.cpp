@@ -15,7 +15,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using half_plane::ClosureEquations;
-using half_plane::ExponentConfinement;
+using half_plane::ExponentConfinementTerm;
 using half_plane::OrthonormalBasis;
 using half_plane::QuadraturePoints;
 using tests::make_problem;
@@ -27,20 +27,22 @@ std::vector<double> rates_times_moments(const problem::Problem& p, int order, in
 }
 
 constexpr int kWallPoints = 60;
-QuadraturePoints points_of(const EnergyDomain& domain) { return domain.quadrature_points(50, 60); }
+QuadraturePoints points_of(const EnergySublevelSet& domain) {
+  return domain.quadrature_points(50, 60);
+}
 
 // The equations on a large domain, in a basis orthonormal under the elastic white-noise density.
 ClosureEquations make_moment_equations(const problem::Problem& p, int order, int last_moment,
                                        double deviations, bool confined = false) {
   const double temperature = tests::temperature_of(p);
   const double level = temperature * deviations * deviations / 2;
-  const EnergyDomain domain(p,
-                            level * (confined ? ExponentConfinement::support_to_level_ratio() : 1));
+  const EnergySublevelSet domain(
+      p, level * (confined ? ExponentConfinementTerm::support_to_level_ratio() : 1));
   const QuadraturePoints points = points_of(domain);
   const OrthonormalBasis basis(order, points, tests::boltzmann_mass(points, temperature));
   return closure_equations(p, rates_times_moments(p, order, last_moment), domain,
-                           confined ? ExponentConfinement{level} : ExponentConfinement{}, basis,
-                           points, kWallPoints);
+                           confined ? ExponentConfinementTerm{level} : ExponentConfinementTerm{},
+                           basis, points, kWallPoints);
 }
 
 VectorXd white_noise_exponent(const problem::Problem& p, const ClosureEquations& equations) {
@@ -83,7 +85,7 @@ TEST(MomentEquations, ImpulsesChangeTheMomentsAsJumpsDo) {
                                .intensity = 0.6,
                                .mean = 0.2,
                                .law = "two_point"});
-  const EnergyDomain domain(p, 20);
+  const EnergySublevelSet domain(p, 20);
   const QuadraturePoints points = points_of(domain);
   VectorXd mass = (-points.v.array().square() - (points.y.array() - 0.4).square()).exp();
   mass = mass.cwiseProduct(points.weight);
@@ -121,7 +123,7 @@ TEST(MomentEquations, AFitRecoversAPolynomialExponent) {
   const VectorXd &y = equations.points().y, &v = equations.points().v;
   const VectorXd exponent = (equations.basis().basis_values(y, v) * a).array() + 5.0;
   const VectorXd mass = VectorXd::Constant(y.size(), 1.0 / static_cast<double>(y.size()));
-  EXPECT_LT((equations.fit_coefficients(exponent, mass) - a).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((equations.fit_exponent_coefficients(exponent, mass) - a).cwiseAbs().maxCoeff(), 1e-9);
   const ExponentPolynomial q = equations.basis().exponent_polynomial(a);
   EXPECT_NEAR(q(y[7], v[7]) - q(y[900], v[900]), exponent[7] - exponent[900], 1e-9);
 }
@@ -154,7 +156,7 @@ problem::Problem problem_between_walls(double r_left, double r_right) {
 
 ClosureEquations make_equations_between_walls(const problem::Problem& p, int order,
                                               double temperature) {
-  const EnergyDomain domain(p, temperature * 50);
+  const EnergySublevelSet domain(p, temperature * 50);
   const QuadraturePoints points = points_of(domain);
   const OrthonormalBasis basis(order, points, tests::boltzmann_mass(points, temperature));
   return closure_equations(p, std::vector<double>(order + 1), domain, {}, basis, points,

@@ -98,7 +98,7 @@ TEST(PolarTail, LeadingFormIsTheSignOfTheHighestPowerOfTheAmplitude) {
   EXPECT_TRUE(amplitude::leading_form_of_amplitude_exponent<AmplitudePhaseCoordinates>(
                   ExponentPolynomial({{2, 0, -1}, {1, 1, 3}}), {1, 1})
                   .negative);
-  const LeadingFormOfExponent rising =
+  const ExponentBehaviourAtInfinity rising =
       amplitude::leading_form_of_amplitude_exponent<AmplitudePhaseCoordinates>(
           ExponentPolynomial({{2, 0, -1}, {4, 0, 0.02}}), {1, 2});
   EXPECT_FALSE(rising.negative);

@@ -25,7 +25,7 @@ double rho_max_of(const problem::Problem& p) { return 8 * std::sqrt(tests::tempe
 // The equations up to eight deviations, in a basis that is orthonormal under the density for white
 // noise with elastic impacts.
 ClosureEquations make_polar_equations(const problem::Problem& p, int order, int points_each_way,
-                                      const half_plane::ExponentConfinement& confinement = {}) {
+                                      const half_plane::ExponentConfinementTerm& confinement = {}) {
   const AmplitudePhaseCoordinates coordinates(p);
   const double rho_max = rho_max_of(p);
   const QuadraturePoints points = amplitude::quadrature_points(
@@ -101,7 +101,7 @@ TEST(PolarEquations, JacobianIsTheDerivativeOfTheResidual) {
   const auto p = make_problem({.restitution = 0.8, .mean = 0.1, .law = "laplace"});
   for (const double level : {std::numeric_limits<double>::infinity(), 8.0}) {
     const ClosureEquations equations =
-        make_polar_equations(p, 4, 24, half_plane::ExponentConfinement{level});
+        make_polar_equations(p, 4, 24, half_plane::ExponentConfinementTerm{level});
     tests::expect_jacobian_is_derivative(equations, perturbed_coefficients(p, equations));
   }
 }

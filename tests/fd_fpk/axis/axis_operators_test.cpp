@@ -122,7 +122,7 @@ TEST(AxisOperators, WeightedAveragesAreExactForPolynomialsOnBothSidesOfABarrier)
 TEST(AxisOperators, WeightedAveragesOfAFunctionAreThoseOfAPolynomial) {
   const numerics::Polynomial weight({0.3, -1.0, 0.5, 2.0, 0.0, 0.7});
   for (const int points : {1, 3, 5}) {
-    const WeightedAverages averages(kLine, points);
+    const WeightedAverageMatrixBuilder averages(kLine, points);
     EXPECT_LT((averages.weighted_average_matrix([&](double x) { return weight(x); }) -
                weighted_average_operator(kLine, points, weight))
                   .norm(),

@@ -13,7 +13,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-Eigen::MatrixXd matrix_of(const GridAxis& axis, const DiscreteExcitation& excitation) {
+Eigen::MatrixXd matrix_of(const GridAxis& axis, const DiscretisedExcitation& excitation) {
   Eigen::MatrixXd matrix = drift_diffusion_matrix(axis, excitation, 6);
   if (excitation.exchange.size() > 0) matrix += excitation.exchange;
   return matrix;
@@ -23,7 +23,7 @@ Eigen::MatrixXd matrix_of(const GridAxis& axis, const DiscreteExcitation& excita
 // for a unit mass in this cell. For jumps the rate is lambda E[Y^power]; for derivatives the rate
 // is their coefficient times a factorial. The moments of cell averages are exact for operators that
 // are exact on polynomials.
-double moment_rate(const GridAxis& axis, const DiscreteExcitation& excitation, int power) {
+double moment_rate(const GridAxis& axis, const DiscretisedExcitation& excitation, int power) {
   const int source = axis.cell_count() / 2;
   const Eigen::VectorXd rates = matrix_of(axis, excitation).col(source);
   double rate = 0;
@@ -40,7 +40,7 @@ TEST(Excitation, TruncatedSeriesHasTheFirstFourMoments) {
        {tests::make_problem({.rate = 2.0, .intensity = 0.5, .mean = 0.15}),
         tests::make_problem({.rate = 2.0, .intensity = 0.5, .law = "exponential"})}) {
     const double l = 0.6;
-    const DiscreteExcitation e = kramers_moyal_excitation(p.impulses, kLong, l);
+    const DiscretisedExcitation e = kramers_moyal_excitation(p.impulses, kLong, l);
     EXPECT_NEAR(moment_rate(kLong, e, 0), 0.0, 1e-9);
     for (int j = 1; j <= 4; ++j) {
       EXPECT_NEAR(moment_rate(kLong, e, j), p.impulses.rate_times_moment(j), 1e-8) << j;
@@ -50,7 +50,7 @@ TEST(Excitation, TruncatedSeriesHasTheFirstFourMoments) {
 
 TEST(Excitation, RegularisationLengthNeedNotBeAMultipleOfTheCellWidth) {
   const auto p = tests::make_problem({.rate = 2.0, .intensity = 0.5, .mean = 0.15});
-  const DiscreteExcitation e = kramers_moyal_excitation(p.impulses, kLong, 0.567);
+  const DiscretisedExcitation e = kramers_moyal_excitation(p.impulses, kLong, 0.567);
   for (int j = 1; j <= 4; ++j) {
     EXPECT_NEAR(moment_rate(kLong, e, j), p.impulses.rate_times_moment(j), 1e-7) << j;
   }
@@ -67,7 +67,7 @@ TEST(Excitation, DefaultLengthReproducesTheSixthMomentToo) {
 
 TEST(Excitation, PadeApproximantHasTheFirstFourMomentsOfAnyLaw) {
   const auto p = tests::make_problem({.rate = 2.0, .intensity = 0.5, .mean = 0.15});
-  const DiscreteExcitation e = kramers_moyal_pade_excitation(p.impulses, kLong, 6);
+  const DiscretisedExcitation e = kramers_moyal_pade_excitation(p.impulses, kLong, 6);
   EXPECT_NEAR(moment_rate(kLong, e, 0), 0.0, 1e-9);
   for (int j = 1; j <= 4; ++j) {
     EXPECT_NEAR(moment_rate(kLong, e, j), p.impulses.rate_times_moment(j), 1e-6) << j;
@@ -76,7 +76,7 @@ TEST(Excitation, PadeApproximantHasTheFirstFourMomentsOfAnyLaw) {
 
 TEST(Excitation, WhiteNoiseHasTheFirstTwoMomentsAndNoMore) {
   const auto p = tests::make_problem({.rate = 2.0, .intensity = 0.5, .mean = 0.15});
-  const DiscreteExcitation e = white_noise_excitation(p.impulses);
+  const DiscretisedExcitation e = white_noise_excitation(p.impulses);
   EXPECT_NEAR(moment_rate(kLong, e, 1), p.impulses.rate_times_moment(1), 1e-10);
   EXPECT_NEAR(moment_rate(kLong, e, 2), p.impulses.rate_times_moment(2), 1e-10);
   EXPECT_NEAR(moment_rate(kLong, e, 4), 0.0, 1e-10);
@@ -86,7 +86,7 @@ TEST(Excitation, ConservesMassOnAShortAxisWithUnequalCells) {
   const auto p = tests::make_problem({.rate = 2.0, .intensity = 0.5, .mean = 0.15});
   const GridAxis axis(
       {-1.0, -0.8, -0.55, -0.35, -0.2, -0.1, 0, 0.1, 0.22, 0.37, 0.5, 0.66, 0.8, 1.0});
-  for (const DiscreteExcitation& e :
+  for (const DiscretisedExcitation& e :
        {white_noise_excitation(p.impulses), kramers_moyal_excitation(p.impulses, axis, 0.4),
         kramers_moyal_pade_excitation(p.impulses, axis, 4), jump_excitation(p.impulses, axis)}) {
     const Eigen::RowVectorXd leak = axis.cell_widths().transpose() * matrix_of(axis, e);

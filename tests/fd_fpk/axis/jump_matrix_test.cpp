@@ -30,7 +30,7 @@ TEST(JumpMatrix, ShiftsADensityByAnyAmplitude) {
   const GridAxis axis = GridAxis::with_uniform_cells(-6, 0.12, 100);
   for (const double amplitude : {0.12, -0.7, 1.234}) {
     const Eigen::VectorXd change =
-        fixed_jump_matrix(axis, amplitude) * normal_averages(axis, 0, 0.6);
+        jump_matrix_of_fixed_amplitude(axis, amplitude) * normal_averages(axis, 0, 0.6);
     const Eigen::VectorXd exact =
         normal_averages(axis, amplitude, 0.6) - normal_averages(axis, 0, 0.6);
     EXPECT_LT((change - exact).cwiseAbs().maxCoeff(), 3e-7) << amplitude;

@@ -49,7 +49,7 @@ TEST(Contact, TimeInFlightOfABallUnderRareImpulsesIsThatOfItsParabolas) {
       const double rate = 1e-4;
       const auto p = ball(rate, rate, restitution, "uniform", mean);
       // E|Y| of the uniform law on mean +- h.
-      const double h = std::sqrt(3) * p.impulses.amplitude_law().deviation();
+      const double h = std::sqrt(3) * p.impulses.amplitude_law().amplitude_standard_deviation();
       const double mean_size = (std::pow(h + mean, 2) + std::pow(h - mean, 2)) / (4 * h);
       // Off the wall at Y, into it at r |Y|: E[Y^+] + r E[Y^-] = (E|Y| (1+r) + E[Y] (1-r)) / 2.
       const double first = (mean_size * (1 + restitution) + mean * (1 - restitution)) / 2;
@@ -161,7 +161,7 @@ TEST(Contact, TransportConservesMassAndLosesTheEnergyOfBothWalls) {
   const PhasePlaneGrid grid =
       characteristic_grid(p, problem::motion_scales(p), {}, {.x1_max = 1, .x2_max = 3});
   const Characteristics characteristics(p.system, grid, p.impulses.arrival_rate(), 8);
-  ASSERT_EQ(characteristics.contact_rest_point_indices().size(), 2u);
+  ASSERT_EQ(characteristics.indices_of_rest_points_in_contact().size(), 2u);
   const DensitySlopeReconstruction slopes(grid, characteristics.rest_points());
   Eigen::VectorXd q = Eigen::VectorXd::Zero(grid.size() + 2);
   for (int i = 0; i < grid.nx(); ++i) {

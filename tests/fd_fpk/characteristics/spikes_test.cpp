@@ -99,7 +99,7 @@ TEST(AlongCharacteristics, DistributeMassNearRestByTheDecayOfTheMotion) {
   ASSERT_EQ(summary.transport, TransportScheme::characteristics);
   const double half_cycle = std::numbers::pi / std::sqrt(1 - c * c / 4);
   const double exponent = rate / (c / 2 - std::log(r) / half_cycle);
-  // The bins of compare/comparison_axes.cpp: 0.05 standard deviations, divided at 1/4, 1/16 and
+  // The bins of compare/comparison_bins.cpp: 0.05 standard deviations, divided at 1/4, 1/16 and
   // 1/64.
   const double bin = 0.05 * 0.86;
   const auto y =

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "fd_fpk/characteristics/characteristic_grid.hpp"
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
 #include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 
@@ -91,7 +91,7 @@ TEST(Characteristics, CoverEveryCellWithFractionsThatSumToOne) {
     const TransportSetup s(p);
     Eigen::VectorXd shares = Eigen::VectorXd::Zero(s.grid.size());
     Eigen::VectorXd y = shares, v = shares;
-    for (const CharacteristicCellVisit& visit : s.characteristics.cell_visits()) {
+    for (const CharacteristicCellVisit& visit : s.characteristics.characteristic_cell_visits()) {
       shares(visit.cell) += visit.share;
       y(visit.cell) += visit.share * visit.y;
       v(visit.cell) += visit.share * visit.v;

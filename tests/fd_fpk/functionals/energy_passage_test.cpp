@@ -21,8 +21,8 @@ using transform::FirstPassageResult;
 using transform::Status;
 
 // Returns the mean time from a state to the passage of an energy level.
-double mean_time(const System& system, const BackwardExcitation& excitation, double level, double y,
-                 double v, int displacement_count, int velocity_count) {
+double mean_time(const System& system, const BackwardEquationExcitation& excitation, double level,
+                 double y, double v, int displacement_count, int velocity_count) {
   const problem::EffectivePotential potential(system);
   const auto interval =
       problem::UndampedOrbits({.name = "", .system = system}).half_cycles(level).front();
@@ -30,7 +30,7 @@ double mean_time(const System& system, const BackwardExcitation& excitation, dou
                              excitation);
   const Eigen::SparseLU<SparseColumnMatrix> lu(grid.backward_matrix());
   const Eigen::VectorXd times = lu.solve(Eigen::VectorXd::Constant(grid.size(), -1));
-  return grid.value_weights(y, v).dot(times);
+  return grid.interpolation_weights_at_state(y, v).dot(times);
 }
 
 // In a box without a spring the velocity is a random walk, or a Wiener process, up to its sign.
@@ -53,7 +53,8 @@ TEST_F(ElasticBox, HasTheExactMeanTimeUnderImpulses) {
   const double scale = 0.5, rate = 1.3;
   const problem::ImpulseTrain impulses(
       {.arrival_rate = rate, .law = "laplace", .intensity = rate * 2 * scale * scale, .mean = 0});
-  const BackwardExcitation excitation{.impulse_rate = rate, .law = &impulses.amplitude_law()};
+  const BackwardEquationExcitation excitation{.impulse_rate = rate,
+                                              .law = &impulses.amplitude_law()};
   const double v = 0.7, exact = (1 + 2 / scale + (4 - v * v) / (2 * scale * scale)) / rate;
   EXPECT_NEAR(mean_time(system_, excitation, level_, 0.4, v, 8, 24), exact, 1e-6);
   EXPECT_NEAR(mean_time(system_, excitation, level_, 1.5, -v, 8, 24), exact, 1e-6);

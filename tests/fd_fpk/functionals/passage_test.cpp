@@ -7,8 +7,8 @@
 #include <sstream>
 #include <vector>
 
-#include "fd_fpk/operator/discretisation.hpp"
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
+#include "fd_fpk/operator/phase_plane_discretisation.hpp"
 #include "general_oscillators.hpp"
 #include "paper_cases.hpp"
 #include "problem/case_file.hpp"

@@ -115,7 +115,7 @@ struct CoarseSolution {
   explicit CoarseSolution(const problem::Problem& p)
       : problem(problem::to_wall_coordinates(problem::wall_frame(p.system), p)),
         direct(compute_direct_solution(problem, {.scales = problem::motion_scales(problem)},
-                                       options, base::Deadline::unlimited())) {}
+                                       options, base::Deadline::without_time_limit())) {}
 
   FiniteVolumeOptions options{.order = 5, .nx = 30, .nv = 64, .x1_max = 4, .x2_max = 4.5};
   problem::Problem problem;
@@ -154,9 +154,9 @@ TEST(DensityDerivative, AgreesWithTheAdjointEquation) {
   ASSERT_TRUE(adjoint);
   for (const char* key : {"system.damping", "system.restitution", "impulse.rate"}) {
     const Eigen::VectorXd product = coarse.derivative_of_generator_product(key);
-    const auto derivative =
-        solve_density_derivative(coarse.direct, product, coarse.solve, base::Deadline::unlimited())
-            .solution;
+    const auto derivative = solve_density_derivative(coarse.direct, product, coarse.solve,
+                                                     base::Deadline::without_time_limit())
+                                .solution;
     ASSERT_TRUE(derivative);
     const double forward = f.dot(*derivative);
     EXPECT_GT(std::abs(forward), 1e-4) << key;
@@ -173,7 +173,7 @@ TEST(DensityDerivative, IsTheLimitOfDifferencesOfDensitiesOnTheSameGrid) {
         changed, middle.options,
         discretise_excitation_on_same_grid(changed, middle.options, middle.direct.discretisation));
     return *find_null_vector(op, *middle.direct.preconditioner, *middle.direct.averages,
-                             base::Deadline::unlimited())
+                             base::Deadline::without_time_limit())
                 .averages;
   };
   constexpr double kStep = 1e-3;
@@ -187,7 +187,7 @@ TEST(DensityDerivative, IsTheLimitOfDifferencesOfDensitiesOnTheSameGrid) {
   for (const auto& [key, difference] : expected) {
     const auto found =
         solve_density_derivative(middle.direct, middle.derivative_of_generator_product(key),
-                                 middle.solve, base::Deadline::unlimited())
+                                 middle.solve, base::Deadline::without_time_limit())
             .solution;
     ASSERT_TRUE(found);
     EXPECT_NEAR(middle.direct.op.total_mass(*found), 0, 1e-12);

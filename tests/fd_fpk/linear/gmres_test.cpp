@@ -41,7 +41,7 @@ TEST(Gmres, StopsAtTheDeadline) {
     products = 0;
     return solve_by_gmres(
         [&](const Eigen::VectorXd& x) {
-          while (products == last && !deadline.has_passed()) {
+          while (products == last && !deadline.has_deadline_passed()) {
           }
           ++products;
           return times(x);
@@ -55,7 +55,7 @@ TEST(Gmres, StopsAtTheDeadline) {
   const auto midway = count_until(3, base::Deadline(0.05));
   EXPECT_FALSE(midway.solution);
   EXPECT_LE(products, 4);
-  EXPECT_TRUE(count_until(-1, base::Deadline::unlimited()).solution);
+  EXPECT_TRUE(count_until(-1, base::Deadline::without_time_limit()).solution);
   EXPECT_GT(products, 4);
 }
 

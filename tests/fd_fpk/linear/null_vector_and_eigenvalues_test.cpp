@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "dense_eigenvalues.hpp"
-#include "fd_fpk/operator/discretisation.hpp"
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
+#include "fd_fpk/operator/phase_plane_discretisation.hpp"
 #include "fd_fpk/operator/well_posedness.hpp"
 #include "paper_cases.hpp"
 #include "problem/equivalent_linearisation.hpp"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "fd_fpk/operator/discretisation.hpp"
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
+#include "fd_fpk/operator/phase_plane_discretisation.hpp"
 #include "paper_cases.hpp"
 #include "problem/motion_scales.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
 #include "general_oscillators.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "paper_cases.hpp"
@@ -44,7 +44,7 @@ TEST(Operator, ColumnsSumToZeroForEveryExcitationOrderAndRestitution) {
     const auto p = tests::make_problem({.restitution = r, .mean = 0.1});
     const PhasePlaneGrid grid = make_grid(20, 30, 3.0, 3.0, {0.5, 0.2}, {0.5, 0.3});
     for (const int order : {3, 4, 5, 6}) {
-      for (const DiscreteExcitation& e :
+      for (const DiscretisedExcitation& e :
            {white_noise_excitation(p.impulses), kramers_moyal_excitation(p.impulses, grid.x2, 0.4),
             kramers_moyal_pade_excitation(p.impulses, grid.x2, 6),
             jump_excitation(p.impulses, grid.x2)}) {
@@ -98,7 +98,7 @@ TEST(Operator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
     Eigen::VectorXd averages = three_point_averages(grid, density);
     averages /= grid.cell_areas().dot(averages);
     const int order = 5;
-    for (const DiscreteExcitation& e :
+    for (const DiscretisedExcitation& e :
          {white_noise_excitation(p.impulses), kramers_moyal_excitation(p.impulses, grid.x2, 0.4),
           kramers_moyal_pade_excitation(p.impulses, grid.x2, 6),
           jump_excitation(p.impulses, grid.x2)}) {
@@ -214,11 +214,11 @@ PhasePlaneGrid grid_of(const System& system, double left, double right, double v
       system.right_wall() ? AxisEndCondition::boundary : AxisEndCondition::vacuum);
 }
 
-std::vector<DiscreteExcitation> excitations(const Problem& p, const PhasePlaneGrid& grid) {
-  std::vector<DiscreteExcitation> all{
+std::vector<DiscretisedExcitation> excitations(const Problem& p, const PhasePlaneGrid& grid) {
+  std::vector<DiscretisedExcitation> all{
       white_noise_excitation(p.impulses), kramers_moyal_excitation(p.impulses, grid.x2, 0.4),
       kramers_moyal_pade_excitation(p.impulses, grid.x2, 6), jump_excitation(p.impulses, grid.x2)};
-  for (DiscreteExcitation& e : all) e.diffusion += p.noise.diffusion();
+  for (DiscretisedExcitation& e : all) e.diffusion += p.noise.diffusion();
   return all;
 }
 
@@ -234,7 +234,7 @@ TEST(OperatorOfGeneralOscillator, KeepsTheMassOnEveryDomain) {
     const Problem p = with_every_term(walls);
     const PhasePlaneGrid grid = grid_of(p.system, -3, 3, 3, 20, 30);
     for (const int order : {3, 4, 5, 7}) {
-      for (const DiscreteExcitation& e : excitations(p, grid)) {
+      for (const DiscretisedExcitation& e : excitations(p, grid)) {
         const auto op = fokker_planck_operator(p.system, e, ImpactCondition::map, grid, order);
         EXPECT_LT(op.max_mass_loss_rate(), 1e-10) << name << " " << order;
       }
@@ -251,7 +251,7 @@ TEST(OperatorOfGeneralOscillator, ChangesTheEnergyOfAnyDensityAtTheExactPower) {
         grid_of(p.system, -4.6, 5.4, 8, p.system.right_wall() ? 24 : 80, 120);
     Eigen::VectorXd averages = three_point_averages(grid, bump);
     averages /= grid.cell_areas().dot(averages);
-    for (const DiscreteExcitation& e : excitations(p, grid)) {
+    for (const DiscretisedExcitation& e : excitations(p, grid)) {
       const auto op = fokker_planck_operator(p.system, e, ImpactCondition::map, grid, 5);
       const double rate =
           mean_energy(problem::EffectivePotential(p.system), grid, op * averages, 5);
@@ -335,7 +335,7 @@ TEST(OperatorOfGeneralOscillator, AnnihilatesExactDensitiesToItsOrder) {
     const auto residual = [&](int cells, int order) {
       const PhasePlaneGrid grid =
           grid_of(p.system, one.left, one.right, one.v_max, cells, 2 * (7 * cells / 8));
-      DiscreteExcitation noise{.diffusion = p.noise.diffusion(), .exchange = {}};
+      DiscretisedExcitation noise{.diffusion = p.noise.diffusion(), .exchange = {}};
       const auto op = fokker_planck_operator(p.system, noise, ImpactCondition::map, grid, order);
       return grid.cell_areas().dot((op * three_point_averages(grid, law)).cwiseAbs());
     };

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
-#include "fd_fpk/operator/discretisation.hpp"
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
+#include "fd_fpk/operator/phase_plane_discretisation.hpp"
 #include "general_oscillators.hpp"
 #include "problem/motion_scales.hpp"
 #include "thorough.hpp"

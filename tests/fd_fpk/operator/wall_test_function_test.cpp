@@ -40,7 +40,7 @@ TEST(WallTestFunction, SolvesItsEquation) {
       const double h_v = (h(y, v + kStep) - h(y, v - kStep)) / (2 * kStep);
       EXPECT_NEAR(h_v, h.velocity_derivative(y, v), 1e-6) << y << " " << v;
       const double force = 2.1;
-      EXPECT_NEAR(h.backward_remainder(y, v, force),
+      EXPECT_NEAR(h.backward_equation_remainder(y, v, force),
                   force * h.velocity_derivative(y, v) - kForce * f.velocity_derivative(y, v),
                   1e-12);
     }

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "fd_fpk/operator/observables.hpp"
+#include "fd_fpk/operator/marginals_and_moments.hpp"
 #include "fd_fpk/solve.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stationary/solve_on_one_grid.hpp"
@@ -23,7 +23,7 @@ TEST(SolveDeadline, ABoxIsNotWidenedAfterTheDeadline) {
 
 TEST(SolveDeadline, EvenTheFirstSolveIsAborted) {
   const auto p = tests::paper_case(1);
-  const MotionScalesAndBox scales_and_box{.scales = problem::motion_scales(p)};
+  const MotionScalesAndComputationalBox scales_and_box{.scales = problem::motion_scales(p)};
   const FiniteVolumeOptions direct{.stepper = StationarySolver::direct};
   const base::Deadline over(0);
   for (const auto& late : {solve_on_one_grid(p, scales_and_box, direct, over).solution,

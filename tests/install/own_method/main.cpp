@@ -4,7 +4,7 @@
 #include <fpkcheck/cli/program.hpp>
 #include <fpkcheck/methods/builtin_solvers.hpp>
 #include <fpkcheck/problem/equivalent_linearisation.hpp>
-#include <fpkcheck/transform/marginal.hpp>
+#include <fpkcheck/transform/marginal_density.hpp>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -23,8 +23,8 @@ struct Options {
   double widths = 8;  ///< half-width of the box in standard deviations
 };
 
-const base::Description<Options>& description() {
-  static const auto description = base::Description<Options>("linear ").add(
+const base::OptionsDescription<Options>& description() {
+  static const auto description = base::OptionsDescription<Options>("linear ").add(
       "widths", &Options::widths, {"N", "half-width of the box in standard deviations"},
       base::closed_interval(5, 20));
   return description;

@@ -13,7 +13,7 @@ int main() {
   const std::vector<transform::Solution> solutions{
       fpkcheck::epc::solve_closure(problem, {.order = 6}).solution,
       fpkcheck::fd_fpk::solve_stationary_density(problem, {}).solution};
-  const auto comparison = compare::compare_solutions(compare::comparison_axes(problem), solutions);
+  const auto comparison = compare::compare_solutions(compare::comparison_bins(problem), solutions);
   for (const auto& pair : comparison.pairs) {
     std::printf("%s - %s, %s: L1 %.5f\n", pair.a.c_str(), pair.b.c_str(),
                 pair.variable == transform::StateVariable::y ? "p(y)" : "p(y')", pair.distances.l1);

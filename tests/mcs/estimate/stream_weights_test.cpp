@@ -11,7 +11,7 @@ namespace {
 const std::vector<double> kExcess{0.3, -0.1, 0.2, -0.4, 0.1, 0.25, -0.3, 0.15, 0.05};
 
 TEST(StreamWeights, SumToOneAndCancelTheExcess) {
-  const StreamWeights weights(kExcess);
+  const TrajectoryStreamWeights weights(kExcess);
   double sum = 0, weighted = 0;
   for (std::size_t s = 0; s < kExcess.size(); ++s) {
     EXPECT_GT(weights[s], 0.0);
@@ -25,13 +25,13 @@ TEST(StreamWeights, SumToOneAndCancelTheExcess) {
 TEST(StreamWeights, RecoverAMeanThatDependsLinearlyOnTheExcess) {
   std::vector<double> values;
   for (const double b : kExcess) values.push_back(7 + 3 * b);
-  const MeanEstimate estimate = StreamWeights(kExcess).estimate_mean(values);
+  const MeanEstimate estimate = TrajectoryStreamWeights(kExcess).estimate_mean(values);
   EXPECT_NEAR(estimate.mean, 7.0, 1e-14);
   EXPECT_NEAR(estimate.standard_error, 0.0, 1e-14);
 }
 
 TEST(StreamWeights, ArePlainForEqualExcessPowers) {
-  const StreamWeights weights(std::vector<double>(8, 0.0));
+  const TrajectoryStreamWeights weights(std::vector<double>(8, 0.0));
   for (std::size_t s = 0; s < weights.size(); ++s) EXPECT_DOUBLE_EQ(weights[s], 1.0 / 8);
   const std::vector<double> values{1, 2, 3, 4, 5, 6, 7, 8};
   const MeanEstimate estimate = weights.estimate_mean(values),
@@ -60,7 +60,7 @@ TEST(StreamWeights, AreUnbiasedAndTheirIntervalsCoverTheTruth) {
       excess.push_back(b);
       values.push_back(2 + 3 * b + (b * b - 0.04) + 0.2 * normal(engine));
     }
-    const StreamWeights weights(excess);
+    const TrajectoryStreamWeights weights(excess);
     const MeanEstimate estimate = weights.estimate_mean(values);
     covered += std::abs(estimate.mean - 2) <
                weights.confidence_interval_factor() * estimate.standard_error;

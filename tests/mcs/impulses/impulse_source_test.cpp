@@ -72,7 +72,7 @@ TEST(ImpulseSource, DrawsAmplitudesWithTheCharacteristicFunctionOfTheLaw) {
     const auto& law = problem.impulses.amplitude_law();
     ImpulseSource source(problem.impulses, 3, 0);
     for (const double wave : {1.0, 4.0, 20.0}) {
-      const double u = wave / law.deviation();
+      const double u = wave / law.amplitude_standard_deviation();
       const std::complex<double> expected = exact::characteristic_function(law, u);
       expect_mean([&] { return std::cos(u * source.next_impulse().amplitude); }, expected.real(),
                   "E[cos(u Y)]");

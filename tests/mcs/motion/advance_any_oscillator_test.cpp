@@ -1,4 +1,4 @@
-#include "mcs/motion/advance.hpp"
+#include "mcs/motion/advance_trajectories.hpp"
 
 #include <gtest/gtest.h>
 
@@ -150,7 +150,7 @@ TEST(AdvanceAnyOscillator, FindsImpactsWithinAFlight) {
   for (const TrajectoryStream& stream : free.streams) {
     EXPECT_EQ(stream.record.impacts, 100);
     EXPECT_NEAR(stream.record.left_momentum, 100 * u, 1e-3);
-    EXPECT_NEAR(stream.record.left_energy, 100 * u * u, 1e-3);
+    EXPECT_NEAR(stream.record.left_wall_squared_impact_speeds, 100 * u * u, 1e-3);
   }
   // The mirror image of this motion, with the wall on the other side.
   SimulatedOscillator mirrored{
@@ -204,9 +204,9 @@ TEST(AdvanceAnyOscillator, ComesToRestAfterInfinitelyManyBounces) {
     EXPECT_EQ(free[0].branch.v, 0);
     EXPECT_NEAR(record.rest_left, (time - to_rest) / kBetweenSamples, 1.0);
     EXPECT_NEAR(record.left_momentum, u / (1 - r), 1e-8);
-    EXPECT_NEAR(record.left_energy, u * u / (1 - r * r), 1e-8);
+    EXPECT_NEAR(record.left_wall_squared_impact_speeds, u * u / (1 - r * r), 1e-8);
     double in_bins = 0;
-    for (const double weight : record.histogram.weights()) in_bins += weight;
+    for (const double weight : record.histogram.histogram_cell_weights()) in_bins += weight;
     EXPECT_EQ(in_bins + record.rest_left, record.samples);
   }
   // The mirrored problem is a ball that a force presses against a ceiling.
@@ -258,7 +258,8 @@ TEST(AdvanceAnyOscillator, GivesTheSameBitsForAnyWidthAndInstructions) {
         EXPECT_EQ(group[s].branch.y, reference[s].branch.y);
         EXPECT_EQ(group[s].branch.v, reference[s].branch.v);
         EXPECT_EQ(group[s].record.powers, reference[s].record.powers);
-        EXPECT_EQ(group[s].record.histogram.weights(), reference[s].record.histogram.weights());
+        EXPECT_EQ(group[s].record.histogram.histogram_cell_weights(),
+                  reference[s].record.histogram.histogram_cell_weights());
         EXPECT_EQ(group[s].record.peaks, reference[s].record.peaks);
         EXPECT_EQ(group[s].record.flights, reference[s].record.flights);
       }

@@ -51,7 +51,7 @@ TEST(Flight, FollowsTheExactLinearMotion) {
     const SimulatedOscillator oscillator = duffing_oscillator(2, 0, damping);
     const OscillatorState start{1.3, -0.7};
     const Flight flight(oscillator, start);
-    const double t = flight.max_step(0.7);
+    const double t = flight.max_flight_duration(0.7);
     // The first omitted term of y, 0.7^13 / 13!, is 2e-12 of the amplitude; that of v is 13/0.7
     // times larger.
     for (const double s : {t / 3, t}) {
@@ -66,7 +66,7 @@ TEST(Flight, OfTheDuffingOscillatorConvergesWithTheOrderOfItsSeries) {
   const OscillatorState start{1.2, 1.9};
   const Flight flight(oscillator, start);
   const auto error = [&](double phase) {
-    const double t = flight.max_step(phase);
+    const double t = flight.max_flight_duration(phase);
     const OscillatorState end = flight.state_at_time(t),
                           exact = state_by_short_flights(oscillator, start, t);
     return std::hypot(end.y - exact.y, end.v - exact.v);
@@ -87,7 +87,7 @@ TEST(Flight, IsAsAccurateAtLargeExcursionsAsAtSmallOnes) {
       const double y = std::sqrt(v) * std::sin(angle);
       const OscillatorState start{std::abs(y), v * std::cos(angle)};
       const Flight flight(oscillator, start);
-      const double t = flight.max_step(0.7);
+      const double t = flight.max_flight_duration(0.7);
       const OscillatorState end = flight.state_at_time(t),
                             exact = state_by_short_flights(oscillator, start, t);
       EXPECT_NEAR(end.v, exact.v, 2e-6 * v) << v << " " << angle;
@@ -104,7 +104,7 @@ TEST(Flight, FindsTheImpactOfTheLinearOscillatorToRounding) {
     const OscillatorState start{std::sin(w * before),
                                 -0.05 * std::sin(w * before) - w * std::cos(w * before)};
     const Flight flight(oscillator, start);
-    const double time = impact_time_of_flight(flight, flight.max_step(0.7));
+    const double time = impact_time_of_flight(flight, flight.max_flight_duration(0.7));
     // At 0.6, the far end of the flight, the error of the series is 1e-12.
     EXPECT_NEAR(time, before, before > 0.5 ? 1e-11 : 1e-14);
     EXPECT_NEAR(flight.state_at_time(time).y, 0.0, 1e-15);
@@ -114,7 +114,7 @@ TEST(Flight, FindsTheImpactOfTheLinearOscillatorToRounding) {
 TEST(Flight, FindsAGrazingImpact) {
   const SimulatedOscillator oscillator = paper_oscillator(4);
   const Flight flight(oscillator, {1e-12, -1e-9});
-  const double end = flight.max_step(0.7);
+  const double end = flight.max_flight_duration(0.7);
   ASSERT_LT(flight.state_at_time(end).y, 0.0);
   EXPECT_NEAR(impact_time_of_flight(flight, end), 1e-3, 1e-6);
 }
@@ -124,7 +124,7 @@ TEST(Flight, FindsImpactsTo1e10WhateverTheMotionBeforeThem) {
   for (const double y : {1e-9, 1e-6, 1e-3, 0.1, 0.5}) {
     for (const double v : {-1e-9, -1e-6, -1e-3, -0.1, -1.0, -5.0, 1e-6, 0.02}) {
       const Flight flight(oscillator, {y, v});
-      const double end = flight.max_step(1.2);
+      const double end = flight.max_flight_duration(1.2);
       if (flight.state_at_time(end).y >= 0) continue;
       const double time = impact_time_of_flight(flight, end);
       EXPECT_LT(std::abs(flight.state_at_time(time).y), 1e-15 + 1e-14 * y) << y << " " << v;
@@ -139,7 +139,7 @@ TEST(Flight, FindsTheHighestPoint) {
     const Flight back(oscillator, {0.8, 0});
     const OscillatorState start = back.state_at_time(-before);
     const Flight flight(oscillator, start);
-    const double end = flight.max_step(0.9);
+    const double end = flight.max_flight_duration(0.9);
     const double top = flight.displacement_peak_time(end, flight.state_at_time(end));
     EXPECT_NEAR(top, before, 1e-4);
     EXPECT_NEAR(flight.state_at_time(top).y, 0.8, 1e-8);
@@ -151,7 +151,7 @@ TEST(Flight, FromTheWallDoesNotComeBackWithinItsReach) {
     const SimulatedOscillator oscillator = paper_oscillator(number);
     for (double v = 1e-300; v < 1e3; v *= 1e3) {
       const Flight flight(oscillator, {0, v});
-      EXPECT_GE(flight.state_at_time(flight.max_step(1.0)).y, 0.0) << number << " " << v;
+      EXPECT_GE(flight.state_at_time(flight.max_flight_duration(1.0)).y, 0.0) << number << " " << v;
     }
   }
 }
@@ -163,7 +163,7 @@ TEST(Flight, OfTheDuffingOscillatorIsThatOfAnyForce) {
        {OscillatorState{0, 1}, OscillatorState{1.2, 0.4}, OscillatorState{20, -300}}) {
     const Flight a(oscillator, start);
     const PolynomialFlight<double, Flight::kOrder> b(oscillator, start);
-    const double t = a.max_step(0.9);
+    const double t = a.max_flight_duration(0.9);
     EXPECT_NEAR(a.state_at_time(t).y, b.state_at_time(t).y, 1e-13 * std::abs(start.y + start.v));
     EXPECT_NEAR(a.state_at_time(t).v, b.state_at_time(t).v, 1e-13 * std::abs(start.y + start.v));
     EXPECT_NEAR(a.acceleration(start), b.polynomial_acceleration(0),

@@ -55,7 +55,7 @@ class Checkpoint : public testing::Test {
 // A shutdown waits until open files are complete; afterwards no thread may write a file.
 TEST_F(Checkpoint, IsNotWrittenDuringShutdown) {
   const auto wait_in_vain = [&] {
-    base::wait_and_block_other_writers();
+    base::wait_for_exit_blockers();
     std::thread([&] {
       SimulationOptions options = brief(false);
       options.checkpoint = file_;

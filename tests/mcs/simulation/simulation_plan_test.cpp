@@ -13,7 +13,8 @@ TEST(SimulationPlan, ComputesDefaultsFromTheEquivalentLinearisation) {
   const auto problem = tests::paper_case(4);
   const auto linear = problem::equivalent_linearisation(problem);
   const SimulationPlan plan = make_simulation_plan(problem, {});
-  const double time = plan.round_time() * static_cast<double>(plan.rounds) * plan.streams;
+  const double time =
+      plan.simulated_time_per_round() * static_cast<double>(plan.rounds) * plan.streams;
   EXPECT_NEAR(time * problem::slowest_decay_rate(linear), 1.6e6, 4e3);
   EXPECT_NEAR(plan.burn_in * problem::slowest_decay_rate(linear), 20, 1e-12);
   EXPECT_EQ(plan.y_bins.bin_count(), 140u);
@@ -31,7 +32,7 @@ problem::Problem problem_without_wall(double rate, double damping = 0.2, double 
 }
 
 double planned_time(const SimulationPlan& plan) {
-  return plan.round_time() * static_cast<double>(plan.rounds) * plan.streams;
+  return plan.simulated_time_per_round() * static_cast<double>(plan.rounds) * plan.streams;
 }
 
 // With 1e4 impulses per unit time the default time suffices for the accuracy, takes at most a

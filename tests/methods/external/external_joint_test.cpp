@@ -78,7 +78,7 @@ class JointDensityFiles : public testing::Test {
 
   tests::TemporaryDirectory directory_;
   problem::Problem problem_ = tests::paper_case(1);
-  compare::ComparisonAxes axes_ = compare::comparison_axes(problem_);
+  compare::ComparisonBins axes_ = compare::comparison_bins(problem_);
   std::vector<transform::Solution> solutions_ = tests::made_up_solutions(axes_);
 };
 
@@ -209,10 +209,10 @@ TEST_F(JointDensityFiles, MayBeTheClosedFormOfASummary) {
   problem.name = "case2";
   const results::Run run{
       results::current_program("fpkcheck run"),
-      {results::make_case_result(problem, compare::comparison_axes(problem), {solved})}};
+      {results::make_case_result(problem, compare::comparison_bins(problem), {solved})}};
   std::ofstream(path("summary.json")) << results::run_summary_text(run);
 
-  const auto axes = compare::comparison_axes(problem);
+  const auto axes = compare::comparison_bins(problem);
   const auto method =
       external_density_methods_from_files(
           std::vector{path("summary.json") + ",solution=epc-gaussian-n6"}, builtin_registry())

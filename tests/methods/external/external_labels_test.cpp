@@ -22,7 +22,7 @@ Method guest(const std::string& label, std::optional<int> order) {
 }
 
 std::vector<std::string> families_after(std::vector<Method> guests) {
-  group_into_families(guests);
+  group_methods_into_families(guests);
   std::vector<std::string> found;
   for (const auto& one : guests) found.push_back(one.identity.family);
   return found;
@@ -47,7 +47,7 @@ TEST(ExternalFamilies, HaveAtLeastTwoMembers) {
 TEST(ExternalFamilies, HaveOneColourAndDashesByOrder) {
   std::vector<Method> guests{guest("psi", {}), guest("chi-n2", 2), guest("chi-n4", 4),
                              guest("chi-n6", 6)};
-  group_into_families(guests);
+  group_methods_into_families(guests);
   std::set<std::string> colours, dashes;
   for (std::size_t k = 1; k < guests.size(); ++k) {
     colours.insert(guests[k].identity.plot_style.colour);

@@ -77,7 +77,7 @@ std::vector<NamedProblem> with_exact_laws() {
 }
 
 DensityQuadratureGrid points_of(const Problem& problem) {
-  return {compare::comparison_axes(problem), problem.system.walls()};
+  return {compare::comparison_bins(problem), problem.system.walls()};
 }
 
 Method own_law(const Problem& problem, const ExternalDensity& own = {.label = "own"}) {
@@ -92,7 +92,7 @@ Method own_law(const Problem& problem, const ExternalDensity& own = {.label = "o
 
 transform::Solution solved(const Method& method, const Problem& problem) {
   if (method.check) method.check(problem);
-  return solve_with_method(method, problem, {compare::comparison_axes(problem), {}});
+  return solve_with_method(method, problem, {compare::comparison_bins(problem), {}});
 }
 
 using tests::refusal;
@@ -101,7 +101,7 @@ using tests::refusal;
 double distance_from_law(const transform::Solution& solution, const Problem& problem,
                          StateVariable variable) {
   const exact::EnergyLaw law(problem);
-  const auto axes = compare::comparison_axes(problem);
+  const auto axes = compare::comparison_bins(problem);
   const auto m = marginal(solution, variable, compare::comparison_bin_edges(axes, variable));
   const double third = std::sqrt(0.6);
   double sum = 0;
@@ -166,7 +166,7 @@ TEST(ExternalMethodsOfAnyOscillator, AreCutOffOnlyAtEndsWithoutAWall) {
 
 TEST(ExternalMethodsOfAnyOscillator, HaveCellsBeyondTheAxesWithoutAWall) {
   const auto ends = [](const Problem& problem) {
-    const auto axes = compare::comparison_axes(problem);
+    const auto axes = compare::comparison_bins(problem);
     const auto points = points_of(problem);
     return std::pair{(axes.y_edges.front() - points.y_edges().front()) /
                          (axes.y_edges.back() - axes.y_edges.front()),
@@ -281,7 +281,7 @@ TEST_F(FilesOfAnyOscillator, OfJointDensitiesReproduceTheDensity) {
 
 TEST_F(FilesOfAnyOscillator, OfARunReproduceItsDensities) {
   for (const auto& problem : {bistable(), mirrored(), two_walls()}) {
-    const auto axes = compare::comparison_axes(problem);
+    const auto axes = compare::comparison_bins(problem);
     const exact::EnergyLaw law(problem);
     transform::GridDensity cells{axes.y_edges, axes.v_edges, {}};
     for (std::size_t i = 0; i < cells.y_cell_count(); ++i) {

@@ -12,8 +12,8 @@
 #include "methods/run_cases.hpp"
 #include "refusal.hpp"
 #include "report/findings.hpp"
-#include "report/report.hpp"
 #include "report/terminal_tables.hpp"
+#include "report/write_report.hpp"
 #include "results/saved_run.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
@@ -58,7 +58,7 @@ class ExternalMethods : public testing::Test {
 
   tests::TemporaryDirectory directory_;
   problem::Problem problem_ = tests::paper_case(1);
-  compare::ComparisonAxes axes_ = compare::comparison_axes(problem_);
+  compare::ComparisonBins axes_ = compare::comparison_bins(problem_);
   std::vector<transform::Solution> solutions_ = tests::made_up_solutions(axes_);
 };
 
@@ -94,8 +94,8 @@ TEST_F(ExternalMethods, AnExactFileHasNoDistanceFromItsSolution) {
 
 TEST_F(ExternalMethods, DifferencesAreComparedWithTheirErrors) {
   const auto sentence = [&](double standard_error) {
-    const auto all =
-        report::finding_sentences(case_with({write("lab.csv", StateVariable::y, standard_error)}));
+    const auto all = report::case_finding_sentences(
+        case_with({write("lab.csv", StateVariable::y, standard_error)}));
     std::string own;
     for (const auto& text : all) {
       if (text.starts_with("lab differs")) own += text;
@@ -133,7 +133,7 @@ TEST_F(ExternalMethods, BiasIsNotExplainedByTheErrorsOfADenseFile) {
                          0.05 * exact.density[k]);
     }
     out.close();
-    for (const auto& text : report::finding_sentences(case_with({file.string()}))) {
+    for (const auto& text : report::case_finding_sentences(case_with({file.string()}))) {
       if (contains(text, "dense differs from the full")) return text;
     }
     return std::string();
@@ -155,7 +155,7 @@ TEST_F(ExternalMethods, NoteMassBeyondTheAxes) {
   };
   const auto note = [&](const results::CaseResult& one) {
     std::string all;
-    for (const auto& text : report::finding_sentences(one)) {
+    for (const auto& text : report::case_finding_sentences(one)) {
       if (text.starts_with("Note on far.csv")) all += text;
     }
     return all;

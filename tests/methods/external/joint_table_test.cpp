@@ -61,7 +61,7 @@ class JointTables : public testing::Test {
 
   static constexpr double kEnd = 6;
   problem::Problem problem_ = tests::make_problem({.restitution = 1});
-  compare::ComparisonAxes axes_ = compare::comparison_axes(problem_);
+  compare::ComparisonBins axes_ = compare::comparison_bins(problem_);
   DensityQuadratureGrid points_{axes_, problem_.system.walls()};
   exact::WhiteNoiseDensity exact_{problem_};
 };

@@ -44,7 +44,7 @@ TEST(Continuation, PassesTwoFolds) {
   }
   EXPECT_EQ(curve.points.back().t, 1);
   EXPECT_NEAR(g(curve.points.back().a[0]), 1, 1e-10);
-  EXPECT_EQ(curve.point_with_largest_t().t, 1);
+  EXPECT_EQ(curve.curve_point_with_largest_parameter().t, 1);
   for (const SolutionCurvePoint& point : curve.points) {
     EXPECT_NEAR(g(point.a[0]), point.t, 1e-10);
     const double s = slope(point.a[0]);
@@ -60,7 +60,7 @@ TEST(Continuation, ReportsReturningCurve) {
   const SolutionCurve curve = trace_solution_curve(graph(g, slope), VectorXd::Zero(1), {});
   EXPECT_EQ(curve.end, ContinuationTermination::fell_back);
   ASSERT_EQ(curve.folds.size(), 1u);
-  EXPECT_NEAR(curve.point_with_largest_t().t, 0.5, 1e-10);
+  EXPECT_NEAR(curve.curve_point_with_largest_parameter().t, 0.5, 1e-10);
   EXPECT_NEAR(curve.points.back().a[0], 1, 1e-10);
 }
 
@@ -111,7 +111,7 @@ TEST(Continuation, ReportsStepUnderflow) {
   const SolutionCurve curve =
       trace_solution_curve(graph(g, [](double) { return 1.0; }), VectorXd::Zero(1), {});
   EXPECT_EQ(curve.end, ContinuationTermination::step_underflow);
-  EXPECT_NEAR(curve.point_with_largest_t().t, 0.5, 1e-3);
+  EXPECT_NEAR(curve.curve_point_with_largest_parameter().t, 0.5, 1e-3);
 }
 
 TEST(Continuation, NewtonHomotopyReachesRootPastFolds) {

@@ -26,7 +26,7 @@ TEST(SplineBasis, IsAPartitionOfUnityThatReproducesPolynomials) {
   const SplineBasis basis = graded();
   const Eigen::VectorXd c = square_coefficients(basis);
   for (const double x : {0.0, 0.013, 0.4, 1.7, 2.99, 3.0}) {
-    const int span = basis.span_containing(x);
+    const int span = basis.knot_span_containing(x);
     const Eigen::MatrixXd at = basis.basis_derivatives(x, span, 3);
     const Eigen::VectorXd expected_one = Eigen::Vector4d(1, 0, 0, 0);
     EXPECT_LT((at.rowwise().sum() - expected_one).cwiseAbs().maxCoeff(), 1e-6) << x;

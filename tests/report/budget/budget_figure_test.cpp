@@ -26,11 +26,11 @@ FigureSeries series_of_part(const std::string& part) {
   case_result.budget.resize(1);
   case_result.budget[0].parts.resize(1);
   case_result.budget[0].parts[0].approximations = compare::parse_approximations(part);
-  return series_of(budget_figure(case_result).panels[0], part);
+  return series_of(error_budget_figure(case_result).panels[0], part);
 }
 
 TEST(BudgetFigure, HasABarForEachPartAndALineForTheTotal) {
-  const auto figure = budget_figure(budgeted_case());
+  const auto figure = error_budget_figure(budgeted_case());
   ASSERT_EQ(figure.panels.size(), 4u);
   const auto& panel = figure.panels[0];
   std::vector<std::string> names;
@@ -55,7 +55,7 @@ TEST(BudgetFigure, HasABarForEachPartAndALineForTheTotal) {
 }
 
 TEST(BudgetFigure, HasThePlotsOfL1OnThePage) {
-  const auto figure = budget_figure(budgeted_case());
+  const auto figure = error_budget_figure(budgeted_case());
   EXPECT_EQ(figure.panels[0].caption, "Error budget of p(y); *: not ok");
   EXPECT_EQ(figure.panels[2].caption, "Error budget of p(y′); *: not ok");
   const auto plots = make_page_plots(figure, "case-1");
@@ -64,13 +64,13 @@ TEST(BudgetFigure, HasThePlotsOfL1OnThePage) {
 }
 
 TEST(BudgetFigure, OmitsTheTailsInASingleColumn) {
-  const auto figure = budget_figure(budgeted_case(), FigureWidth::one_column);
+  const auto figure = error_budget_figure(budgeted_case(), FigureWidth::one_column);
   ASSERT_EQ(figure.panels.size(), 2u);
   EXPECT_EQ(figure.panels[1].id, "budget-ydot");
 }
 
 TEST(BudgetFigure, AxisContainsEveryBar) {
-  const Figure figure = budget_figure(budgeted_case());
+  const Figure figure = error_budget_figure(budgeted_case());
   const auto& y = figure.panels[0].y;
   EXPECT_TRUE(y.is_logarithmic);
   EXPECT_LT(y.from, 0.00047);
@@ -78,7 +78,7 @@ TEST(BudgetFigure, AxisContainsEveryBar) {
 }
 
 TEST(BudgetFigure, MarksClosuresThatAreNotOk) {
-  const auto figure = budget_figure(budgeted_case());
+  const auto figure = error_budget_figure(budgeted_case());
   const auto& tics = figure.panels[0].x.tics;
   ASSERT_EQ(tics.size(), 2u);
   EXPECT_EQ(tics[0].label, "epc-gaussian-n6");
@@ -106,34 +106,35 @@ TEST(BudgetFigure, DistinguishesAllParts) {
 TEST(BudgetFigure, HasALegendEntryForEachBar) {
   for (const auto width : {FigureWidth::screen, FigureWidth::one_column}) {
     for (const auto& case_result : {made_up_case(), budgeted_case()}) {
-      const auto script = make_gnuplot_script(budget_figure(case_result, width), "stem", width);
+      const auto script =
+          make_gnuplot_script(error_budget_figure(case_result, width), "stem", width);
       EXPECT_EQ(tests::elements_without_entry(script), std::vector<std::string>());
     }
   }
 }
 
 TEST(BudgetFigure, OmitsNonFiniteValues) {
-  const auto figure = budget_figure(budgeted_case());
+  const auto figure = error_budget_figure(budgeted_case());
   EXPECT_TRUE(series_of(figure.panels[0], "impact").points.empty());
   EXPECT_TRUE(series_of(figure.panels[1], "impact").points.empty());
   auto case_result = budgeted_case();
   for (auto& row : case_result.budget) row.total = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(series_of(budget_figure(case_result).panels[0], "total").points.empty());
+  EXPECT_TRUE(series_of(error_budget_figure(case_result).panels[0], "total").points.empty());
 }
 
 TEST(BudgetFigure, ShowsNamesLiterally) {
   auto case_result = budgeted_case();
   for (auto& row : case_result.budget) row.solution = "<b>_" + row.solution;
   const auto layout =
-      tests::figure_of(make_page_plots(budget_figure(case_result), "case-1")[0]).at("layout");
+      tests::figure_of(make_page_plots(error_budget_figure(case_result), "case-1")[0]).at("layout");
   EXPECT_EQ(layout.at("yaxis").at("ticktext")[0], "&lt;b>_epc-gaussian-n6");
 }
 
 TEST(BudgetFigure, HasNoPanelsWithoutABudget) {
   auto case_result = made_up_case();
-  EXPECT_EQ(budget_figure(case_result).panels.size(), 4u);
+  EXPECT_EQ(error_budget_figure(case_result).panels.size(), 4u);
   case_result.budget.clear();
-  EXPECT_TRUE(budget_figure(case_result).panels.empty());
+  EXPECT_TRUE(error_budget_figure(case_result).panels.empty());
 }
 
 }  // namespace

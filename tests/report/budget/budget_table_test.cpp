@@ -42,7 +42,7 @@ results::CaseResult with_known_numbers() {
 
 TEST(BudgetTable, HasTheNumbersAndTheSentenceThatWereSaved) {
   const auto case_result = with_known_numbers();
-  const std::string text = budget_table_text(case_result, 120);
+  const std::string text = error_budget_table_text(case_result, 120);
   // Columns: names; total, closure + impact, truncation of p(y), then of p(y'); the tails.
   const auto n6 = cells_after(text, "epc-gaussian-n6");
   ASSERT_EQ(n6.size(), 9u) << text;
@@ -55,7 +55,7 @@ TEST(BudgetTable, HasTheNumbersAndTheSentenceThatWereSaved) {
 TEST(BudgetTable, MarksClosuresThatAreNotOkAndPutsCommonPartsBelow) {
   auto case_result = with_known_numbers();
   case_result.budget[0].parts.back().l1 = 0.00777;
-  const std::string text = budget_table_text(case_result, 120);
+  const std::string text = error_budget_table_text(case_result, 120);
   EXPECT_EQ(cells_after(text, "epc-gaussian-n4")[0], "epc-gaussian-n4*");
   const auto below = cells_after(text, "discretisation + sampling");
   ASSERT_GT(below.size(), 4u) << text;
@@ -66,15 +66,15 @@ TEST(BudgetTable, MarksClosuresThatAreNotOkAndPutsCommonPartsBelow) {
 TEST(BudgetTable, ShowsADashForMissingValues) {
   auto case_result = with_known_numbers();
   case_result.budget[5].total_tail = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(cells_after(budget_table_text(case_result, 120), "epc-gaussian-n6")[8], "-");
+  EXPECT_EQ(cells_after(error_budget_table_text(case_result, 120), "epc-gaussian-n6")[8], "-");
   case_result.budget.erase(case_result.budget.begin() + 5);
-  const auto n6 = cells_after(budget_table_text(case_result, 120), "epc-gaussian-n6");
+  const auto n6 = cells_after(error_budget_table_text(case_result, 120), "epc-gaussian-n6");
   EXPECT_EQ((std::vector<std::string>{n6[4], n6[5], n6[6], n6[8]}),
             (std::vector<std::string>{"-", "-", "-", "-"}));
 }
 
 TEST(BudgetTable, HasOnlyTotalsAtSmallWidth) {
-  const std::string text = budget_table_text(with_known_numbers(), 60);
+  const std::string text = error_budget_table_text(with_known_numbers(), 60);
   EXPECT_FALSE(contains(text, "tail"));
   EXPECT_FALSE(contains(text, "trunc."));
   EXPECT_EQ(cells_after(text, "epc-gaussian-n6").back(), "0.01111") << text;
@@ -83,7 +83,7 @@ TEST(BudgetTable, HasOnlyTotalsAtSmallWidth) {
 TEST(BudgetTable, IsEmptyWithoutABudget) {
   auto case_result = made_up_case();
   case_result.budget.clear();
-  EXPECT_EQ(budget_table_text(case_result, 100), "");
+  EXPECT_EQ(error_budget_table_text(case_result, 100), "");
   EXPECT_TRUE(displayed_budget_columns(case_result, 100).empty());
 }
 

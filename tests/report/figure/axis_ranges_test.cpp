@@ -32,7 +32,8 @@ TEST(MarginalAxisRanges, ContainTheVisibleDensities) {
   const results::DensityCurve curve{
       "toy", StateVariable::ydot, {-2.5, -1.5, -0.5, 0.5, 1.5}, {1e-7, 1e-5, 4, 1, 0}, {}, {}};
   const double nothing = std::numeric_limits<double>::quiet_NaN();
-  const DrawnCurve drawn{&solution, &curve, {curve.abscissa, {0, 0, -0.5, 0.25, nothing}, {}, {}}};
+  const DrawnDensityCurve drawn{
+      &solution, &curve, {curve.abscissa, {0, 0, -0.5, 0.25, nothing}, {}, {}}};
   const auto ranges = density_axis_ranges(std::vector{drawn});
   EXPECT_EQ(ranges.linear_from, -0.5);
   EXPECT_EQ(ranges.linear_to, 0.5);
@@ -40,7 +41,7 @@ TEST(MarginalAxisRanges, ContainTheVisibleDensities) {
   EXPECT_EQ(ranges.logarithmic_to, 0.5);
   EXPECT_EQ(ranges.largest_density, 4);
   EXPECT_EQ(ranges.linear_top, 4);
-  EXPECT_EQ(spike_note(ranges), "");
+  EXPECT_EQ(density_spike_note(ranges), "");
   EXPECT_EQ(ranges.largest_difference, 0.5);
   EXPECT_EQ(ranges.least_difference, 0.5);
 }
@@ -51,7 +52,7 @@ TEST(MarginalAxisRanges, StartTheLogarithmicAxisBelowTheData) {
     const results::DensityCurve curve{
         "toy", StateVariable::y, {0.5, 1.5, 2.5}, std::move(density), {}, {}};
     return logarithmic_axis_bottom(
-        density_axis_ranges(std::vector{DrawnCurve{&solution, &curve, {}}}));
+        density_axis_ranges(std::vector{DrawnDensityCurve{&solution, &curve, {}}}));
   };
   // A density between two walls: a single decade suffices.
   EXPECT_DOUBLE_EQ(bottom({0.35, 0.8, 0.5}), 0.1);
@@ -67,20 +68,20 @@ TEST(MarginalAxisRanges, ExcludeNarrowBinsFromTheLinearAxis) {
   // Bins of width 1, the first divided at 1/4.
   const results::DensityCurve curve{
       "toy", StateVariable::y, {0.125, 0.625, 1.5, 2.5}, {5000, 9, 4, 0.1}, {}, {}};
-  const DrawnCurve drawn{&solution, &curve, {curve.abscissa, {-70, 0.1, 0.3, 0.2}, {}, {}}};
+  const DrawnDensityCurve drawn{&solution, &curve, {curve.abscissa, {-70, 0.1, 0.3, 0.2}, {}, {}}};
   const auto ranges = density_axis_ranges(std::vector{drawn});
-  EXPECT_EQ(drawn.full_width_bin_flags(), (std::vector{false, true, true, true}));
+  EXPECT_EQ(drawn.undivided_bin_flags(), (std::vector{false, true, true, true}));
   EXPECT_EQ(ranges.linear_top, 9);
   EXPECT_EQ(ranges.linear_to, 2.5);  // above 1/500 of 9
   EXPECT_EQ(ranges.largest_density, 5000);
   EXPECT_EQ(ranges.largest_difference, 0.3);
-  EXPECT_EQ(spike_note(ranges), "spike up to 5e+03");
+  EXPECT_EQ(density_spike_note(ranges), "spike up to 5e+03");
 }
 
 TEST(MarginalAxisRanges, OfADisplacementBeginAtTheWall) {
   const transform::Solution solution;
   const results::DensityCurve curve{"toy", StateVariable::y, {0.5, 1.5}, {1, 1}, {}, {}};
-  const auto ranges = density_axis_ranges(std::vector{DrawnCurve{&solution, &curve, {}}});
+  const auto ranges = density_axis_ranges(std::vector{DrawnDensityCurve{&solution, &curve, {}}});
   EXPECT_EQ(ranges.linear_from, 0);
   EXPECT_EQ(ranges.logarithmic_from, 0);
   EXPECT_EQ(ranges.largest_difference, 0);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "case_with_sources.hpp"
-#include "report/figure/drawing.hpp"
+#include "report/figure/run_gnuplot.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "report/figure/drawing.hpp"
+#include "report/figure/run_gnuplot.hpp"
 #include "saved_run.hpp"
 #include "script_legend.hpp"
 #include "temporary_directory.hpp"

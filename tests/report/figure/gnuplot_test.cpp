@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "report/figure/layout.hpp"
+#include "report/figure/figure_layout.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
 

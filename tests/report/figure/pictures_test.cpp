@@ -53,7 +53,7 @@ TEST(Pictures, AreAPngAndAnSvg) {
 results::CaseResult with_closures(int count) {
   auto problem = tests::paper_case(1);
   problem.name = "case1";
-  const auto axes = compare::comparison_axes(problem);
+  const auto axes = compare::comparison_bins(problem);
   auto solutions = tests::made_up_solutions(axes);
   for (int k = 0; k < count; ++k) {
     auto more = solutions[0];

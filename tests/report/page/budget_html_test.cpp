@@ -1,4 +1,4 @@
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 using tests::budgeted_case;
 
 TEST(BudgetView, TablesHaveTheNumbersOfEveryPart) {
-  const std::string html = budget_tables_html(budgeted_case());
+  const std::string html = error_budget_tables_html(budgeted_case());
   const std::string l1 = "Error budget of p(y): L1";
   EXPECT_EQ(tests::headers_in(html, l1),
             "solution|total|closure|sampling|L1 of sampling error alone: mean|L1 of sampling error "
@@ -24,12 +24,12 @@ TEST(BudgetView, TablesHaveTheNumbersOfEveryPart) {
 }
 
 TEST(BudgetView, NamesTheEndOfTheChain) {
-  EXPECT_TRUE(
-      tests::contains(budget_introduction_html(budgeted_case()), "from a closure to mcs: L1"));
+  EXPECT_TRUE(tests::contains(error_budget_introduction_html(budgeted_case()),
+                              "from a closure to mcs: L1"));
   auto case_result = budgeted_case();
   case_result.budget.clear();
-  EXPECT_EQ(budget_introduction_html(case_result), "");
-  EXPECT_EQ(budget_tables_html(case_result), "");
+  EXPECT_EQ(error_budget_introduction_html(case_result), "");
+  EXPECT_EQ(error_budget_tables_html(case_result), "");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,12 +37,12 @@ TEST(ResultsTable, FollowsTheRuleForTheReference) {
 
 TEST(MomentErrors, AreDistancesFromTheMiddleOfTheBounds) {
   auto case_result = whole_case();
-  EXPECT_EQ(bound_errors_table_html(case_result), "");
+  EXPECT_EQ(guaranteed_bound_errors_table_html(case_result), "");
   const double y2 = case_result.find("fd-kf")->moments.y2;
   case_result.bounds =
       compare::GuaranteedBounds{.each = {{"E[y^2]", y2 - 1e-3, y2 + 3e-3}, {"w1", 1, 2}}};
   solution_of(case_result, "fd-white").moments.y2 = y2 + 5e-3;
-  const std::string html = bound_errors_table_html(case_result);
+  const std::string html = guaranteed_bound_errors_table_html(case_result);
   const std::string caption = "Errors of moments, from the guaranteed bounds";
   EXPECT_TRUE(tests::contains(headers_in(html, caption), "solution|E[y\u00b2] in ["));
   EXPECT_FALSE(tests::contains(html, "w1"));

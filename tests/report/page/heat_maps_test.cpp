@@ -1,4 +1,4 @@
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ using tests::whole_case;
 
 TEST(JointMaps, OfferTheClosestClosureFirstAndNothingThatIsNotOk) {
   const auto case_result = whole_case();
-  const auto maps = make_joint_maps(case_result);
+  const auto maps = make_joint_density_maps(case_result);
   ASSERT_TRUE(maps);
   EXPECT_EQ(maps->reference, "fd-kf");
   std::vector<std::string> offered;
@@ -25,7 +25,7 @@ TEST(JointMaps, OfferTheClosestClosureFirstAndNothingThatIsNotOk) {
 
 TEST(JointMaps, HoldRowsOfConstantVelocityWhereTheReferenceIsSeen) {
   const auto case_result = whole_case();
-  const auto maps = make_joint_maps(case_result);
+  const auto maps = make_joint_density_maps(case_result);
   ASSERT_EQ(case_result.joints[case_result.joints.size() - 2].solution, "fd-kf");
   const auto& whole = case_result.joints[case_result.joints.size() - 2].density;
   const std::size_t ny = maps->y_edges.size() - 1, nv = maps->v_edges.size() - 1;
@@ -48,7 +48,7 @@ TEST(JointMaps, HoldRowsOfConstantVelocityWhereTheReferenceIsSeen) {
 
 TEST(JointMaps, RestoreTheDifferenceFromItsRoots) {
   const auto case_result = whole_case();
-  const auto maps = make_joint_maps(case_result);
+  const auto maps = make_joint_density_maps(case_result);
   const auto& simulated = maps->differences.back();
   ASSERT_EQ(simulated.solution, "mcs");  // 2 % above the reference for y' > 0
   EXPECT_NEAR(simulated.l1, 0.02 / 2, 1e-4);
@@ -68,44 +68,44 @@ TEST(JointMaps, RestoreTheDifferenceFromItsRoots) {
 // Differences of atoms add to the L1 distance.
 TEST(JointMaps, AddTheDifferencesOfAtoms) {
   auto case_result = whole_case();
-  const double before = make_joint_maps(case_result)->differences.back().l1;
+  const double before = make_joint_density_maps(case_result)->differences.back().l1;
   for (auto& solution : case_result.solutions) {
     if (solution.id() == "fd-kf") solution.atoms = {{.y = 0, .probability = 0.25}};
     if (solution.id() == "mcs") solution.atoms = {{.y = 0, .probability = 0.125}};
   }
-  EXPECT_NEAR(make_joint_maps(case_result)->differences.back().l1, before + 0.125, 1e-12);
+  EXPECT_NEAR(make_joint_density_maps(case_result)->differences.back().l1, before + 0.125, 1e-12);
 }
 
 TEST(JointMaps, NeedAReferenceAndSomethingBesideIt) {
   auto case_result = whole_case();
   const auto joints = std::exchange(case_result.joints, {});
-  EXPECT_FALSE(make_joint_maps(case_result));
+  EXPECT_FALSE(make_joint_density_maps(case_result));
   case_result.joints = joints;
   std::erase_if(case_result.joints, [](const auto& joint) { return joint.solution != "fd-kf"; });
-  EXPECT_FALSE(make_joint_maps(case_result));
+  EXPECT_FALSE(make_joint_density_maps(case_result));
   case_result.joints = joints;
   for (const char* id : {"fd-kf", "mcs"}) {
     tests::solution_of(case_result, id).status = transform::Status::failed;
     case_result.update_assessment();
   }
-  EXPECT_FALSE(make_joint_maps(case_result));
+  EXPECT_FALSE(make_joint_density_maps(case_result));
 }
 
 TEST(JointMaps, LeaveOutOtherCells) {
   auto case_result = whole_case();
   case_result.joints.back().density.y_edges.back() += 0.1;
-  const auto maps = make_joint_maps(case_result);
+  const auto maps = make_joint_density_maps(case_result);
   ASSERT_TRUE(maps);
   for (const auto& difference : maps->differences) EXPECT_NE(difference.solution, "mcs");
 }
 
 TEST(JointMaps, AreConvertedToHtmlAndJson) {
-  auto maps = *make_joint_maps(whole_case());
+  auto maps = *make_joint_density_maps(whole_case());
   maps.differences.back().solution = "<b>";
-  const std::string html = joint_maps_html(maps, "case-1");
+  const std::string html = joint_density_maps_html(maps, "case-1");
   EXPECT_TRUE(tests::contains(html, "Compared with fd-kf: <select id=\"case-1-joint-choice\">"));
   EXPECT_TRUE(tests::contains(html, "<option value=\"&lt;b&gt;\">&lt;b&gt; (L1 0.01"));
-  const auto json = nlohmann::json::parse(joint_maps_json(maps, "case-1"));
+  const auto json = nlohmann::json::parse(joint_density_maps_json(maps, "case-1"));
   EXPECT_EQ(json.at("id"), "case-1-joint");
   EXPECT_EQ(json.at("reference"), "fd-kf");
   EXPECT_EQ(json.at("differences").size(), maps.differences.size());

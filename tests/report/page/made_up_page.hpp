@@ -7,7 +7,7 @@
 #include "gunzip_base64.hpp"
 #include "modified_case.hpp"
 #include "report/page/page_plots.hpp"
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 #include "saved_run.hpp"
 
 /// Runs with the data for all parts of a page, and readers of a page.

@@ -1,5 +1,5 @@
 #include "base/files/file_transaction.hpp"
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 
 #include <gtest/gtest.h>
 

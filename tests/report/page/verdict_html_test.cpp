@@ -1,4 +1,4 @@
-#include "report/page/sections.hpp"
+#include "report/page/page_sections.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ results::Run two_cases() {
 TEST(VerdictView, HasEverySentenceOfTheVerdict) {
   const auto run = two_cases();
   const std::string html = verdict_html(run, {"case-1", "case-2"});
-  const auto run_verdict = make_verdict(run);
+  const auto run_verdict = make_run_verdict(run);
   EXPECT_EQ(occurrences(html, "<p class=\"answer\">"), run_verdict.answer.size());
   EXPECT_EQ(occurrences(html, "<dt class="), run_verdict.lines.size());
   EXPECT_TRUE(contains(html, "<dt class=\"no\">epc-gaussian-n6</dt><dd>reproduced in part"));

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "report/page/html.hpp"
+#include "report/page/html_elements.hpp"
 
 namespace fpkcheck::report {
 namespace {
@@ -17,10 +17,10 @@ TEST(NumberText, KeepsItsDigitsTwoOfADistance) {
   EXPECT_EQ(number_text(6e-5, 2), "6.0e-5");
   EXPECT_EQ(number_text(150, 3), "150");
   EXPECT_EQ(number_text(0.0004, 1), "4e-4");
-  EXPECT_EQ(l1_cell_text(0.03), "0.030");
-  EXPECT_EQ(l1_cell_text(0.004412), "0.0044");
-  EXPECT_EQ(l1_cell_text(6e-6), "6.0e-6");
-  EXPECT_EQ(l1_cell_text({}), kNoValue);
+  EXPECT_EQ(l1_distance_cell_text(0.03), "0.030");
+  EXPECT_EQ(l1_distance_cell_text(0.004412), "0.0044");
+  EXPECT_EQ(l1_distance_cell_text(6e-6), "6.0e-6");
+  EXPECT_EQ(l1_distance_cell_text({}), kNoValue);
 }
 
 TEST(NumberText, IsShort) {
@@ -41,7 +41,7 @@ TEST(NumberText, ShowsADashForNonFiniteNumbers) {
   for (const double value : {kNotANumber, std::numeric_limits<double>::infinity()}) {
     EXPECT_EQ(number_text(value, 4), kNoValue);
     EXPECT_EQ(parameter_value_text(value), kNoValue);
-    EXPECT_EQ(l1_cell_text(value), kNoValue);
+    EXPECT_EQ(l1_distance_cell_text(value), kNoValue);
     EXPECT_EQ(seconds_text(value), kNoValue);
   }
 }

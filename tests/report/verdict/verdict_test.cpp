@@ -32,7 +32,7 @@ std::string outcome_in(const RunVerdict& run_verdict, const std::string& subject
 }
 
 std::string text_of_run(const results::Run& run) {
-  return verdict_text(run, make_verdict(run), 100);
+  return run_verdict_text(run, make_run_verdict(run), 100);
 }
 
 /// A case where n = 2 and white noise are distant, n = 4 is inadmissible, n = 6 close, n = 8 not
@@ -48,7 +48,7 @@ results::CaseResult usual(const std::string& name) {
 }
 
 TEST(Verdict, StatesTheReferenceAndItsReproduction) {
-  const auto run_verdict = make_verdict(run_of({usual("a")}));
+  const auto run_verdict = make_run_verdict(run_of({usual("a")}));
   const std::vector<std::string> expected{
       "The reference is mcs, with L1 error estimates of 0.001 in p(y) and 0.002 in p(y'). The L1 "
       "distance of the independent solution fd-kf to the reference is 0.0012 in p(y) and 0.0016 in "
@@ -59,7 +59,7 @@ TEST(Verdict, StatesTheReferenceAndItsReproduction) {
 }
 
 TEST(Verdict, HasALineForEachOrderOfThePapersClosure) {
-  const auto run_verdict = make_verdict(run_of({usual("a")}));
+  const auto run_verdict = make_run_verdict(run_of({usual("a")}));
   EXPECT_EQ(outcome_in(run_verdict, "epc-gaussian-n2"),
             "not reproduced: L1 distance 0.03 in p(y) and 0.004 in p(y')");
   EXPECT_EQ(outcome_in(run_verdict, "epc-gaussian-n4"),
@@ -79,7 +79,7 @@ TEST(Verdict, ListsAnExternalDensityByItself) {
   auto& guest = solution_of(case_result, "epc-gaussian-n2");
   guest.identity.method = transform::kExternalFile;
   guest.identity.family = "file";
-  const auto run_verdict = make_verdict(run_of({case_result}));
+  const auto run_verdict = make_run_verdict(run_of({case_result}));
   EXPECT_EQ(
       run_verdict.answer[1],
       "Within L1 0.02 of the reference: epc-gaussian (the paper's closure) at n = 6, not at n "
@@ -95,7 +95,7 @@ TEST(Verdict, ListsAnExternalFamilyTogether) {
     guest.identity.method = transform::kExternalFile;
     guest.identity.family = "chi";
   }
-  const auto run_verdict = make_verdict(run_of({case_result}));
+  const auto run_verdict = make_run_verdict(run_of({case_result}));
   EXPECT_TRUE(run_verdict.answer[1].starts_with(
       "Within L1 0.02 of the reference: chi at n = 6, not at n = 2;"))
       << run_verdict.answer[1];
@@ -109,7 +109,7 @@ TEST(Verdict, OfSeveralCasesStatesTheWorstAndTheirNumber) {
   auto second = usual("b");
   set_l1(second, "epc-gaussian-n6", "mcs", 0.05, 0.001);
   set_l1(second, "fd-kf", "mcs", 0.004, 0.0001);
-  const auto run_verdict = make_verdict(run_of({usual("a"), second, usual("c")}));
+  const auto run_verdict = make_run_verdict(run_of({usual("a"), second, usual("c")}));
   EXPECT_TRUE(run_verdict.answer[0].starts_with("The reference in all 3 cases is mcs, "))
       << run_verdict.answer[0];
   EXPECT_TRUE(contains(run_verdict.answer[0], "0.004 in p(y) and 0.0016 in p(y')"))
@@ -130,7 +130,7 @@ TEST(Verdict, NamesTheReferenceCaseByCaseWhereItDiffers) {
   auto second = usual("b");
   solution_of(second, "fd-kf").error = {.y_l1 = 1e-5, .ydot_l1 = 1e-5};
   second.update_assessment();
-  const auto run_verdict = make_verdict(run_of({usual("a"), second, usual("c")}));
+  const auto run_verdict = make_run_verdict(run_of({usual("a"), second, usual("c")}));
   EXPECT_TRUE(contains(run_verdict.answer[0], "is mcs (fd-kf in b), with"))
       << run_verdict.answer[0];
   EXPECT_TRUE(contains(run_verdict.answer[0], "independent solution fd-kf (mcs in b) to the"))
@@ -144,7 +144,7 @@ TEST(Verdict, RecommendsTheReferenceAndTheFastestSolution) {
   for (auto& solution : case_result.solutions) solution.seconds = 5;
   solution_of(case_result, "epc-gaussian-n6").seconds = 0.5;
   solution_of(case_result, "epc-gaussian-n2").seconds = 0.1;  // fastest, but distant
-  auto run_verdict = make_verdict(run_of({case_result}));
+  auto run_verdict = make_run_verdict(run_of({case_result}));
   ASSERT_EQ(run_verdict.recommendation.size(), 2u);
   EXPECT_TRUE(contains(run_verdict.recommendation[0], "use mcs, the solution"))
       << run_verdict.recommendation[0];
@@ -155,7 +155,7 @@ TEST(Verdict, RecommendsTheReferenceAndTheFastestSolution) {
   // The error estimate of the reference is added to the distance: 0.0047 + 0.006.
   solution_of(case_result, "mcs").sampling = {.y = 0.006, .ydot = 0.006};
   case_result.update_assessment();
-  run_verdict = make_verdict(run_of({case_result}));
+  run_verdict = make_run_verdict(run_of({case_result}));
   EXPECT_EQ(run_verdict.recommendation[1],
             "Fastest solution with status ok: within L1 0.01, fd-km4 (5 s).");
 }
@@ -168,12 +168,12 @@ TEST(Verdict, ConfirmsTheReferenceWhereTheFindingsExplainTheDifference) {
     solution_of(case_result, "mcs").sampling = {
         .y = 0.0011, .ydot = 0.0015, .y_99 = 0.0022, .ydot_99 = 0.003};
     set_l1(case_result, "fd-kf", "mcs", l1, 0.001);
-    const auto run_verdict = make_verdict(run_of({case_result}));
+    const auto run_verdict = make_run_verdict(run_of({case_result}));
     EXPECT_EQ(contains(run_verdict.recommendation[0], "fd-kf confirms these values"), agree)
         << run_verdict.recommendation[0];
     EXPECT_EQ(contains(run_verdict.recommendation[0], "fd-kf differs by more"), !agree)
         << run_verdict.recommendation[0];
-    const auto found = finding_sentences(case_result);
+    const auto found = case_finding_sentences(case_result);
     EXPECT_EQ(std::ranges::any_of(found,
                                   [](const auto& s) { return contains(s, "the densities agree"); }),
               agree);
@@ -184,10 +184,10 @@ TEST(Verdict, StatesTheCasesInWhichTheReferenceIsConfirmed) {
   auto second = usual("b");
   solution_of(second, "fd-kf").status = transform::Status::failed;
   second.update_assessment();
-  EXPECT_TRUE(make_verdict(run_of({usual("a"), second, usual("c")}))
+  EXPECT_TRUE(make_run_verdict(run_of({usual("a"), second, usual("c")}))
                   .recommendation[0]
                   .ends_with("; fd-kf confirms these values in a, c only."));
-  EXPECT_TRUE(make_verdict(run_of({second}))
+  EXPECT_TRUE(make_run_verdict(run_of({second}))
                   .recommendation[0]
                   .ends_with("; no independent solution in this run confirms these values."));
 }
@@ -198,13 +198,13 @@ TEST(Verdict, StatesNoAccuracyWithoutAnErrorEstimateOfTheReference) {
   solution_of(case_result, "mcs").sampling.reset();
   solution_of(case_result, "mcs").error = {.y_l1 = std::nan(""), .ydot_l1 = std::nan("")};
   case_result.update_assessment();
-  const auto run_verdict = make_verdict(run_of({case_result}));
+  const auto run_verdict = make_run_verdict(run_of({case_result}));
   EXPECT_EQ(run_verdict.answer[0], "The reference is mcs.");
   EXPECT_EQ(run_verdict.recommendation.size(), 1u);
 }
 
 TEST(Verdict, StatesThatThereIsNoReference) {
-  const auto run_verdict = make_verdict(run_of({tests::case_with_first(4)}));
+  const auto run_verdict = make_run_verdict(run_of({tests::case_with_first(4)}));
   ASSERT_EQ(run_verdict.answer.size(), 1u);
   EXPECT_TRUE(
       run_verdict.answer[0].starts_with("There is no reference: no solution of the full problem"));
@@ -214,7 +214,7 @@ TEST(Verdict, StatesThatThereIsNoReference) {
 
 TEST(VerdictText, PutsFourCasesBesideEachOtherAt80Columns) {
   const auto run = run_of({usual("case1"), usual("case2"), usual("case3"), usual("case4")});
-  const std::string text = verdict_text(run, make_verdict(run), 80);
+  const std::string text = run_verdict_text(run, make_run_verdict(run), 80);
   EXPECT_TRUE(contains(text, "case1") && contains(text, "case4"));
   EXPECT_EQ(text.find("solution"), text.rfind("solution  ")) << text;
   std::istringstream in(text);

@@ -213,7 +213,7 @@ TEST(RunAgain, AgreesWithTheSavedBaseline) {
   ASSERT_FALSE(told.empty());
   EXPECT_EQ(told.back().total, baseline.cases[0].methods.size());
   const auto same = compare_runs(baseline.run, run, {});
-  for (const auto& quantity_change : same.changed_quantities())
+  for (const auto& quantity_change : same.quantities_beyond_tolerance())
     ADD_FAILURE() << quantity_change.solution << " " << quantity_change.name;
   EXPECT_GT(same.changes.size(), 300u);
 }
@@ -233,7 +233,7 @@ TEST(RunAgain, FindsEveryRelativeChangeOf1e6InAClosure) {
       const auto kept = o.value;
       const double size = std::max(std::abs(*value), now->min_scale);
       o.value = *value + size * (now->is_rounding_sensitive ? 3e-6 : 1e-6);
-      EXPECT_GE(compare_runs(before, run, {}).changed_quantities().size(), 1u)
+      EXPECT_GE(compare_runs(before, run, {}).quantities_beyond_tolerance().size(), 1u)
           << was.id() << " " << o.path;
       o.value = kept;
       ++tried;
@@ -255,22 +255,22 @@ TEST(SimulationCheck, AnotherSeedAgreesWithinItsErrors) {
   const auto baseline = simulated_run(1);
   for (std::uint64_t seed = 2; seed <= tests::part_unless_thorough(3u, 6u); ++seed) {
     const auto other = compare_runs(baseline, simulated_run(seed), {});
-    for (const auto& quantity_change : other.changed_quantities())
+    for (const auto& quantity_change : other.quantities_beyond_tolerance())
       ADD_FAILURE() << seed << " " << quantity_change.name;
     // The runs differ: otherwise the agreement would prove nothing.
-    EXPECT_TRUE(
-        std::ranges::any_of(other.changes, [](const QuantityChange& f) { return f.change > 0.5; }));
+    EXPECT_TRUE(std::ranges::any_of(other.changes,
+                                    [](const CheckedQuantityChange& f) { return f.change > 0.5; }));
   }
   constexpr double kShort = 2e4;  // identical digits at every length
   const auto same = compare_runs(simulated_run(1, 0.1, kShort), simulated_run(1, 0.1, kShort), {});
-  EXPECT_TRUE(
-      std::ranges::all_of(same.changes, [](const QuantityChange& f) { return f.change == 0; }));
+  EXPECT_TRUE(std::ranges::all_of(same.changes,
+                                  [](const CheckedQuantityChange& f) { return f.change == 0; }));
 }
 
 TEST(SimulationCheck, FindsFivePercentStrongerImpulses) {
   constexpr double kTime = 4e4;
   const auto one = simulated_run(1, 0.1, kTime), stronger = simulated_run(2, 0.105, kTime);
-  EXPECT_GE(compare_runs(one, stronger, {}).changed_quantities().size(), 2u);
+  EXPECT_GE(compare_runs(one, stronger, {}).quantities_beyond_tolerance().size(), 2u);
 }
 
 }  // namespace

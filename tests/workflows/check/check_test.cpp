@@ -22,7 +22,7 @@ using transform::SolverMetricKind;
 TEST(Check, ARunAgreesWithItselfAndWithItsFiles) {
   for (const results::Run* baseline : {&paper_baseline(), &solved_run()}) {
     const auto same = compare_runs(*baseline, solved_run(), {});
-    for (const auto& quantity_change : same.changed_quantities())
+    for (const auto& quantity_change : same.quantities_beyond_tolerance())
       ADD_FAILURE() << quantity_change.solution << quantity_change.name;
     EXPECT_TRUE(same.agrees_with_baseline());
     EXPECT_GT(same.changes.size(), 1400u);
@@ -40,7 +40,7 @@ TEST(Check, FindsEveryCoefficientThatMovesByAMillionth) {
         const auto moved = moved_by(tests::scaled(one.id(), o.path, relative), {}, runs);
         ASSERT_EQ(moved.size(), 1u) << one.id() << " " << o.path;
         EXPECT_EQ(moved[0].solution, one.id());
-        EXPECT_EQ(moved[0].kind, QuantityKind::coefficient);
+        EXPECT_EQ(moved[0].kind, CheckedQuantityKind::coefficient);
         EXPECT_NEAR(moved[0].change, 1e-6, 1e-11);
       }
       ++tried;
@@ -63,7 +63,7 @@ TEST(Check, FindsEveryMomentThatMovesByAMillionth) {
           },
           {}, runs);
       ASSERT_EQ(moved.size(), 1u) << one.id() << " " << of.symbol;
-      EXPECT_EQ(moved[0].kind, QuantityKind::moment);
+      EXPECT_EQ(moved[0].kind, CheckedQuantityKind::moment);
       EXPECT_EQ(moved[0].name, of.symbol);
     }
   }
@@ -86,7 +86,8 @@ TEST(Check, FindsEveryResultThatMovesByAMillionth) {
       // A changed power names another coefficient: the old one is missing, the new one is added.
       const bool is_power = o.path.starts_with("coefficients");
       ASSERT_EQ(moved.size(), is_power ? 2u : 1u) << one.id() << " " << o.path;
-      EXPECT_EQ(moved[0].kind, is_power ? QuantityKind::coefficient : QuantityKind::detail);
+      EXPECT_EQ(moved[0].kind,
+                is_power ? CheckedQuantityKind::coefficient : CheckedQuantityKind::detail);
       if (!is_power) {
         EXPECT_EQ(moved[0].name, o.path);
       }
@@ -201,7 +202,7 @@ TEST(Check, ReportsTheLargestAllowedChangeOfEachKind) {
   scale(solution(other, "fd-white").moments.y2, 1e-6);
   const auto compared = compare_runs(paper_baseline(), other, {});
   for (const auto& summary : summarise_changes_by_kind(compared)) {
-    if (summary.kind != QuantityKind::moment) continue;
+    if (summary.kind != CheckedQuantityKind::moment) continue;
     EXPECT_EQ(summary.moved, 1u);
     ASSERT_NE(summary.largest, nullptr);
     EXPECT_EQ(summary.largest->solution, "fd-km4");

@@ -15,7 +15,7 @@ using compare::DensityDistances;
 using tests::kinds;
 using tests::moved_by;
 using tests::solution;
-using Kinds = std::vector<QuantityKind>;
+using Kinds = std::vector<CheckedQuantityKind>;
 
 TEST(DistanceClaims, EveryDistanceOfAPairIsFound) {
   for (double DensityDistances::*distance :
@@ -23,12 +23,12 @@ TEST(DistanceClaims, EveryDistanceOfAPairIsFound) {
         &DensityDistances::hellinger, &DensityDistances::kl}) {
     EXPECT_EQ(kinds(moved_by(
                   [&](results::Run& run) { run.cases[0].pairs[0].distances.*distance += 1e-7; })),
-              Kinds{QuantityKind::distance});
+              Kinds{CheckedQuantityKind::distance});
   }
   EXPECT_EQ(kinds(moved_by([](results::Run& run) {
               run.cases[0].pairs[0].distances.log10_tail[2].mean_abs += 3e-6;
             })),
-            Kinds{QuantityKind::tail});
+            Kinds{CheckedQuantityKind::tail});
 }
 
 TEST(DistanceClaims, ATailThatIsNotThereAndOtherBinsAreFound) {
@@ -73,7 +73,7 @@ TEST(DistanceClaims, DistancesToASimulationMoveWithItsSamplingError) {
   const double allowed = expected + 4 * (quantile_99 - expected) / 2.326;
   EXPECT_GT(allowed, quantile_99);
   EXPECT_EQ(by(0.98 * allowed).size(), 0u);
-  EXPECT_EQ(kinds(by(1.02 * allowed)), Kinds{QuantityKind::simulated_l1});
+  EXPECT_EQ(kinds(by(1.02 * allowed)), Kinds{CheckedQuantityKind::simulated_l1});
 }
 
 using compare::ErrorBudgetRow;
@@ -82,7 +82,8 @@ using tests::scale;
 using tests::solution;
 
 /// The changes that follow from a change of the first row of the budget.
-std::vector<QuantityChange> moved_by_row(const std::function<void(ErrorBudgetRow&)>& change) {
+std::vector<CheckedQuantityChange> moved_by_row(
+    const std::function<void(ErrorBudgetRow&)>& change) {
   return moved_by([&](results::Run& run) { change(run.cases[0].budget[0]); });
 }
 
@@ -118,7 +119,7 @@ TEST(BudgetClaims, ReportsAnotherChainOnce) {
 TEST(BudgetClaims, ReportsARowThatOneRunLacks) {
   const auto found = moved_by([](results::Run& run) { run.cases[0].budget.pop_back(); });
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].kind, QuantityKind::budget);
+  EXPECT_EQ(found[0].kind, CheckedQuantityKind::budget);
   EXPECT_EQ(found[0].now, base::Value("missing"));
 }
 
@@ -161,7 +162,7 @@ TEST(MarginalFigures, FindsEveryBinOfACurve) {
           [&](results::Run& run) { run.cases[0].curves.front().density[k] += sign * 1e-7 * peak; },
           {}, runs);
       ASSERT_EQ(moved.size(), 1u) << k;
-      EXPECT_EQ(moved[0].kind, QuantityKind::marginal);
+      EXPECT_EQ(moved[0].kind, CheckedQuantityKind::marginal);
       EXPECT_NEAR(moved[0].change, 1e-7, 1e-13);
       EXPECT_NE(moved[0].name.find(fmt::format("{:.4g}", curve.abscissa[k])), std::string::npos);
     }
@@ -188,7 +189,7 @@ TEST(MarginalFigures, SimulatedBinsHaveToleranceByIntervalAndNumberOfBins) {
   };
   EXPECT_EQ(by(4.5).size(), 0u);  // within the threshold for the largest of all bins
   ASSERT_EQ(by(5.2).size(), 1u);
-  EXPECT_EQ(by(5.2)[0].kind, QuantityKind::simulated_bin);
+  EXPECT_EQ(by(5.2)[0].kind, CheckedQuantityKind::simulated_bin);
   EXPECT_GT(by(5.2)[0].allowed, 4.7);
   EXPECT_LT(by(5.2)[0].allowed, 5.1);
 }
@@ -201,8 +202,8 @@ TEST(MarginalFigures, FindsAnotherShapeOfASimulationByL1) {
       for (auto* values : {&curve.density, &curve.lower, &curve.upper}) (*values)[k] *= 1 + tilt;
     }
   });
-  EXPECT_TRUE(std::ranges::any_of(moved, [](const QuantityChange& quantity_change) {
-    return quantity_change.kind == QuantityKind::simulated_l1;
+  EXPECT_TRUE(std::ranges::any_of(moved, [](const CheckedQuantityChange& quantity_change) {
+    return quantity_change.kind == CheckedQuantityKind::simulated_l1;
   }));
 }
 

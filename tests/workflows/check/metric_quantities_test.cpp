@@ -19,14 +19,14 @@ using transform::SolverMetric;
 using transform::SolverMetricKind;
 
 /// The changes between two solutions that have these metrics alone.
-std::vector<QuantityChange> moved(const Metrics& was, const Metrics& is) {
+std::vector<CheckedQuantityChange> moved(const Metrics& was, const Metrics& is) {
   return compare_runs({.program = {}, .cases = {case_of(was)}},
                       {.program = {}, .cases = {case_of(is)}}, {})
-      .changed_quantities();
+      .quantities_beyond_tolerance();
 }
 
 /// The changes of a single number with these properties.
-std::vector<QuantityChange> moved(const SolverMetric& described, double was, double is) {
+std::vector<CheckedQuantityChange> moved(const SolverMetric& described, double was, double is) {
   SolverMetric now = described;
   now.value = is;
   // A baseline from files has the value alone.
@@ -61,7 +61,7 @@ TEST(MetricQuantities, CoefficientsAreNamedByPowersAndHaveLargerTolerance) {
   const auto found = moved(list(-0.01), list(-0.01 * (1 + 6e-7)));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].name, "a(4,2)");
-  EXPECT_EQ(found[0].kind, QuantityKind::coefficient);
+  EXPECT_EQ(found[0].kind, CheckedQuantityKind::coefficient);
   EXPECT_EQ(moved(list(0), list(4e-10)).size(), 0u);
   EXPECT_EQ(moved(list(0), list(6e-10)).size(), 1u);
 }
@@ -161,7 +161,7 @@ TEST(MetricQuantities, EstimatesChangeInStandardErrorsOfBothRuns) {
   EXPECT_EQ(moved(estimate(1, 0.1), estimate(1.55, 0.1)).size(), 0u);
   const auto found = moved(estimate(1, 0.1), estimate(1.58, 0.1));  // above 4 sqrt(2) errors
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].kind, QuantityKind::simulated);
+  EXPECT_EQ(found[0].kind, CheckedQuantityKind::simulated);
   EXPECT_NEAR(found[0].change, 5.8 / std::sqrt(2.0), 1e-12);
   // A baseline without the standard error: that of the new run serves for both.
   EXPECT_EQ(moved({{.path = "rate", .value = 1.0}}, estimate(1.55, 0.1)).size(), 0u);
@@ -194,7 +194,7 @@ TEST(MetricQuantities, FindsEstimatesThatChangeByMoreThanSampling) {
     for (const double relative : {0.5, -0.2}) {
       const auto found = moved_by(scaled("mcs", path, relative));
       ASSERT_EQ(found.size(), 1u) << path;
-      EXPECT_EQ(found[0].kind, QuantityKind::simulated);
+      EXPECT_EQ(found[0].kind, CheckedQuantityKind::simulated);
     }
   }
   EXPECT_GE(moved_by([](results::Run& run) {

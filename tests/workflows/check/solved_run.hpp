@@ -158,20 +158,23 @@ inline TwoRuns alone(const std::string& id) {
 }
 
 /// The compared quantities that change when the new run differs by `change` alone.
-inline std::vector<check::QuantityChange> moved_by(const Change& change,
-                                                   const check::CheckTolerances& tolerances = {},
-                                                   const TwoRuns& runs = {}) {
+inline std::vector<check::CheckedQuantityChange> moved_by(
+    const Change& change, const check::BaselineCheckTolerances& tolerances = {},
+    const TwoRuns& runs = {}) {
   results::Run changed = runs.solved;
   change(changed);
-  const auto forth = check::compare_runs(runs.files, changed, tolerances).changed_quantities();
+  const auto forth =
+      check::compare_runs(runs.files, changed, tolerances).quantities_beyond_tolerance();
   // The result must be the same with the runs exchanged.
-  EXPECT_EQ(check::compare_runs(changed, runs.solved, tolerances).changed_quantities().size(),
-            forth.size());
+  EXPECT_EQ(
+      check::compare_runs(changed, runs.solved, tolerances).quantities_beyond_tolerance().size(),
+      forth.size());
   return forth;
 }
 
-inline std::vector<check::QuantityKind> kinds(const std::vector<check::QuantityChange>& changes) {
-  std::vector<check::QuantityKind> result;
+inline std::vector<check::CheckedQuantityKind> kinds(
+    const std::vector<check::CheckedQuantityChange>& changes) {
+  std::vector<check::CheckedQuantityKind> result;
   for (const auto& quantity_change : changes) result.push_back(quantity_change.kind);
   return result;
 }

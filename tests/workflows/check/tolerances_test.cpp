@@ -8,20 +8,21 @@ namespace fpkcheck::check {
 namespace {
 
 TEST(Tolerances, CoefficientAndTailToleranceFollowTheDeterministicOne) {
-  const CheckTolerances wide{.deterministic = 1e-6};
+  const BaselineCheckTolerances wide{.deterministic = 1e-6};
   EXPECT_DOUBLE_EQ(wide.coefficient_tolerance(), 5e-5);
   EXPECT_DOUBLE_EQ(wide.tail_tolerance(), 1e-4);
 }
 
 TEST(Tolerances, BonferroniThresholdGrowsWithTheNumber) {
-  const CheckTolerances tolerances;
+  const BaselineCheckTolerances tolerances;
   EXPECT_NEAR(tolerances.bonferroni_threshold(1), 4, 1e-9);
   EXPECT_NEAR(tolerances.bonferroni_threshold(0), 4, 1e-9);
   // erfc(x / sqrt 2) is 6.33e-5 at 4, and a hundredth of it at 4.99.
   const double x = tolerances.bonferroni_threshold(100);
   EXPECT_NEAR(std::erfc(x / std::sqrt(2.0)) * 100, std::erfc(4 / std::sqrt(2.0)), 1e-9);
   EXPECT_GT(x, 4.8);
-  EXPECT_TRUE(std::isfinite(CheckTolerances{.standard_errors = 40}.bonferroni_threshold(1000)));
+  EXPECT_TRUE(
+      std::isfinite(BaselineCheckTolerances{.standard_errors = 40}.bonferroni_threshold(1000)));
 }
 
 using transform::Solution;
@@ -49,17 +50,17 @@ TEST(Chance, TheSameSeedGivesIdenticalDigits) {
 
 TEST(Chance, AnL1HasTheStatedSamplingTolerance) {
   const Solution one = simulation();
-  CheckedQuantity quantity{.kind = QuantityKind::distance, .allowed = 1e-8};
+  CheckedQuantity quantity{.kind = CheckedQuantityKind::distance, .allowed = 1e-8};
   set_tolerance_from_sampling_error(quantity, std::nullopt, StateVariable::y, {});
   Solution silent = one;
   silent.sampling->y_99.reset();
   set_tolerance_from_sampling_error(quantity, silent.sampling, StateVariable::y, {});
   silent.sampling.reset();
   set_tolerance_from_sampling_error(quantity, silent.sampling, StateVariable::y, {});
-  EXPECT_EQ(quantity.kind, QuantityKind::distance);
+  EXPECT_EQ(quantity.kind, CheckedQuantityKind::distance);
   EXPECT_EQ(quantity.allowed, 1e-8);
   set_tolerance_from_sampling_error(quantity, one.sampling, StateVariable::ydot, {});
-  EXPECT_EQ(quantity.kind, QuantityKind::simulated_l1);
+  EXPECT_EQ(quantity.kind, CheckedQuantityKind::simulated_l1);
   EXPECT_EQ(quantity.allowed, 4);
   EXPECT_EQ(quantity.error, 0.02);
   EXPECT_EQ(quantity.quantile_99, 0.03);
@@ -85,7 +86,7 @@ TEST(Chance, ErrorsOfFewStreamsHaveLargerTolerance) {
   many.metrics = transform::SolverMetricsBuilder()
                      .add_result_metric(kStreamsMetric, std::int64_t{1024})
                      .take_metrics();
-  const CheckTolerances tolerances;
+  const BaselineCheckTolerances tolerances;
   const double of_few = standard_error_change_tolerance(few, 1, 1, tolerances);
   const double of_many = standard_error_change_tolerance(many, 1, 1, tolerances);
   const double of_usual = standard_error_change_tolerance(simulation(), 1, 1, tolerances);

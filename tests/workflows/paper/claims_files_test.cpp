@@ -1,4 +1,4 @@
-#include "workflows/paper/supplement.hpp"
+#include "workflows/paper/claims_supplement.hpp"
 
 #include <gtest/gtest.h>
 

@@ -53,9 +53,9 @@ TEST(ClaimsTable, QuotesTheReasonOfAClosureOncePerCase) {
 }
 
 TEST(ClaimsTable, ClosesWithTheNumberOfEachOutcome) {
-  std::vector<ClaimJudgement> three(3);
-  three[0].outcome = ClaimOutcome::established;
-  three[1].outcome = ClaimOutcome::not_established;
+  std::vector<PaperClaimJudgement> three(3);
+  three[0].outcome = PaperClaimOutcome::established;
+  three[1].outcome = PaperClaimOutcome::not_established;
   EXPECT_EQ(
       claim_count_sentence(three),
       "3 claims of the paper: 1 established (the run's numbers are as the claim states); 1 not "
@@ -68,9 +68,9 @@ TEST(ClaimsTable, SummaryListsTheClaimsOfEachOtherOutcome) {
   const auto judgements = judge_claims(tests::run_with_distances());
   const auto sentences = claim_outcome_summary(judgements);
   EXPECT_EQ(sentences.front(), claim_count_sentence(judgements));
-  std::set<ClaimOutcome> outcomes;
+  std::set<PaperClaimOutcome> outcomes;
   for (const auto& one : judgements) {
-    if (one.outcome == ClaimOutcome::established) continue;
+    if (one.outcome == PaperClaimOutcome::established) continue;
     outcomes.insert(one.outcome);
     const std::string begin = std::string(name(one.outcome)).substr(1) + ": ";
     const auto own = std::ranges::find_if(sentences, [&](const std::string& sentence) {

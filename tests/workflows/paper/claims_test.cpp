@@ -10,7 +10,7 @@
 #include "epc/options.hpp"
 #include "methods/builtin_solvers.hpp"
 #include "problem/case_file.hpp"
-#include "workflows/paper/criteria.hpp"
+#include "workflows/paper/claim_criteria.hpp"
 
 namespace fpkcheck::paper {
 namespace {
@@ -57,9 +57,9 @@ TEST(Claims, AreUniqueByCaseAndTextAndHaveQuotations) {
       EXPECT_NE(claim.panels.find_first_of(is_y ? "ab" : "cd"), std::string::npos)
           << claim_text(claim);
     }
-    const bool compares = claim.relation == ClaimedRelation::closer ||
-                          claim.relation == ClaimedRelation::closer_in_l1 ||
-                          claim.relation == ClaimedRelation::closer_in_tail;
+    const bool compares = claim.relation == PaperClaimRelation::closer ||
+                          claim.relation == PaperClaimRelation::closer_in_l1 ||
+                          claim.relation == PaperClaimRelation::closer_in_tail;
     EXPECT_EQ(compares, claim.rival != 0) << claim_text(claim);
   }
 }

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "judged_run.hpp"
-#include "workflows/paper/criteria.hpp"
+#include "workflows/paper/claim_criteria.hpp"
 
 namespace fpkcheck::paper {
 namespace {
@@ -26,7 +26,7 @@ constexpr const char* kBetter = "n=6 is better than n=2 in p(y')";
 constexpr const char* kNotFound = "n=8 is not found by Newton's method";
 constexpr double kJustAbove = 1 + 1e-9;
 
-ClaimOutcome outcome(const results::Run& run, int number, const char* claim_text) {
+PaperClaimOutcome outcome(const results::Run& run, int number, const char* claim_text) {
   return find_judgement(run, number, claim_text).outcome;
 }
 
@@ -34,31 +34,31 @@ TEST(Judge, AgreementNeedsBothNumbersWithinTheirLimits) {
   EXPECT_EQ(
       outcome(run_with_distances(kMaxL1OfClaimedAgreement, kMaxTailDistanceOfClaimedAgreement), 1,
               kAgrees),
-      ClaimOutcome::established);
+      PaperClaimOutcome::established);
   EXPECT_EQ(outcome(run_with_distances(kMaxL1OfClaimedAgreement * kJustAbove, 0.1), 1, kAgrees),
-            ClaimOutcome::not_established);
+            PaperClaimOutcome::not_established);
   const auto tail = find_judgement(run_with_distances(0.01, 0.21), 1, kAgrees);
-  EXPECT_EQ(tail.outcome, ClaimOutcome::not_established);
+  EXPECT_EQ(tail.outcome, PaperClaimOutcome::not_established);
   EXPECT_EQ(tail.note, "tail 0.21 is above 0.2");
   EXPECT_EQ(tail.l1.value, 0.01);
   EXPECT_EQ(tail.tail.limit, kMaxTailDistanceOfClaimedAgreement);
 }
 
 TEST(Judge, OneNumberAboveItsLimitIsADifference) {
-  EXPECT_EQ(outcome(run_with_distances(0.03, 0.1), 1, kDiffers), ClaimOutcome::established);
-  EXPECT_EQ(outcome(run_with_distances(0.01, 0.3), 1, kDiffers), ClaimOutcome::established);
+  EXPECT_EQ(outcome(run_with_distances(0.03, 0.1), 1, kDiffers), PaperClaimOutcome::established);
+  EXPECT_EQ(outcome(run_with_distances(0.01, 0.3), 1, kDiffers), PaperClaimOutcome::established);
   const auto neither = find_judgement(run_with_distances(0.01, 0.1), 1, kDiffers);
-  EXPECT_EQ(neither.outcome, ClaimOutcome::not_established);
+  EXPECT_EQ(neither.outcome, PaperClaimOutcome::not_established);
   EXPECT_EQ(neither.note, "L1 0.01 is not above 0.02, tail 0.1 is not above 0.2");
 }
 
 TEST(Judge, ForClaimsOnTheTailTheTailAloneDecides) {
   auto run = run_with_distances(0.03, 0.1);
-  EXPECT_EQ(outcome(run, 4, "n=6 agrees in the tail of p(y)"), ClaimOutcome::established);
-  EXPECT_EQ(outcome(run, 1, "n=4 differs in the tail of p(y)"), ClaimOutcome::not_established);
+  EXPECT_EQ(outcome(run, 4, "n=6 agrees in the tail of p(y)"), PaperClaimOutcome::established);
+  EXPECT_EQ(outcome(run, 1, "n=4 differs in the tail of p(y)"), PaperClaimOutcome::not_established);
   run = run_with_distances(0.01, 0.3);
-  EXPECT_EQ(outcome(run, 4, "n=6 agrees in the tail of p(y)"), ClaimOutcome::not_established);
-  EXPECT_EQ(outcome(run, 1, "n=4 differs in the tail of p(y)"), ClaimOutcome::established);
+  EXPECT_EQ(outcome(run, 4, "n=6 agrees in the tail of p(y)"), PaperClaimOutcome::not_established);
+  EXPECT_EQ(outcome(run, 1, "n=4 differs in the tail of p(y)"), PaperClaimOutcome::established);
 }
 
 TEST(Judge, BetterMeansBetterByMoreThanTheReferenceError) {
@@ -68,54 +68,55 @@ TEST(Judge, BetterMeansBetterByMoreThanTheReferenceError) {
   const double open = 0.0015;  // error of the simulation in p(y')
   own.total_tail = rival.total_tail / 2;
   own.total = rival.total - 1.1 * open;
-  EXPECT_EQ(outcome(run, 3, kBetter), ClaimOutcome::established);
+  EXPECT_EQ(outcome(run, 3, kBetter), PaperClaimOutcome::established);
   own.total = rival.total - 0.9 * open;
-  EXPECT_EQ(outcome(run, 3, kBetter), ClaimOutcome::not_established);
+  EXPECT_EQ(outcome(run, 3, kBetter), PaperClaimOutcome::not_established);
   own.total = rival.total / 2;
   own.total_tail = rival.total_tail * kJustAbove;
-  EXPECT_EQ(outcome(run, 3, kBetter), ClaimOutcome::not_established);
+  EXPECT_EQ(outcome(run, 3, kBetter), PaperClaimOutcome::not_established);
   // Finite volumes and the simulation differ by more than the two closures.
   own.total_tail = rival.total_tail - 0.01;
   own.parts.back().approximations = {compare::ModelApproximation::discretisation};
   own.parts.back().tail = 0.02;
-  EXPECT_EQ(outcome(run, 3, kBetter), ClaimOutcome::not_established);
+  EXPECT_EQ(outcome(run, 3, kBetter), PaperClaimOutcome::not_established);
   own.parts.back().tail = 0.005;
-  EXPECT_EQ(outcome(run, 3, kBetter), ClaimOutcome::established);
+  EXPECT_EQ(outcome(run, 3, kBetter), PaperClaimOutcome::established);
 }
 
 TEST(Judge, BetterInOnePanelIsDecidedByItsNumberAlone) {
   auto run = run_with_distances();
   budget_row(run, 4, 6, StateVariable::y).total = 0.001;
   budget_row(run, 4, 6, StateVariable::y).total_tail = 5;
-  EXPECT_EQ(outcome(run, 4, "n=6 is better than n=4 in p(y), L1"), ClaimOutcome::established);
+  EXPECT_EQ(outcome(run, 4, "n=6 is better than n=4 in p(y), L1"), PaperClaimOutcome::established);
   budget_row(run, 4, 6, StateVariable::ydot).total = 0.5;
   budget_row(run, 4, 6, StateVariable::ydot).total_tail = 0.01;
-  EXPECT_EQ(outcome(run, 4, "n=6 is better than n=4 in p(y'), tail"), ClaimOutcome::established);
+  EXPECT_EQ(outcome(run, 4, "n=6 is better than n=4 in p(y'), tail"),
+            PaperClaimOutcome::established);
 }
 
 TEST(Judge, AgreementOfAnInadmissibleClosureIsQualified) {
   const auto good = find_judgement(run_with_distances(), 4, "n=4 agrees with MCS in p(y')");
-  EXPECT_EQ(good.outcome, ClaimOutcome::qualified);
+  EXPECT_EQ(good.outcome, PaperClaimOutcome::qualified);
   EXPECT_EQ(good.note, "n=4 solves its equations but is no probability density (inadmissible)");
   EXPECT_EQ(good.status, Status::inadmissible);
   EXPECT_NE(good.reason.find("the leading form"), std::string::npos);
   const auto bad = find_judgement(run_with_distances(0.03), 4, "n=4 agrees with MCS in p(y')");
-  EXPECT_EQ(bad.outcome, ClaimOutcome::not_established);
+  EXPECT_EQ(bad.outcome, PaperClaimOutcome::not_established);
   EXPECT_EQ(bad.note,
             "L1 0.03 is above 0.02; and n=4 solves its equations but is no probability density "
             "(inadmissible)");
   // `differs` needs no admissible density.
   EXPECT_EQ(outcome(run_with_distances(0.03), 1, "n=4 differs from MCS in p(y')"),
-            ClaimOutcome::established);
+            PaperClaimOutcome::established);
 }
 
 TEST(Judge, OfAllCasesTheWorstDecides) {
   auto run = run_with_distances();
-  EXPECT_EQ(outcome(run, 0, kAgrees), ClaimOutcome::established);
+  EXPECT_EQ(outcome(run, 0, kAgrees), PaperClaimOutcome::established);
   budget_row(run, 3, 6, StateVariable::y).total = 0.025;
   budget_row(run, 3, 6, StateVariable::ydot).total = 0.5;
   const auto all = find_judgement(run, 0, kAgrees);
-  EXPECT_EQ(all.outcome, ClaimOutcome::not_established);
+  EXPECT_EQ(all.outcome, PaperClaimOutcome::not_established);
   EXPECT_EQ(all.l1.value, 0.025);
   closure(run, 2, 6).status = Status::inadmissible;
   EXPECT_EQ(find_judgement(run, 0, kAgrees).status, Status::inadmissible);
@@ -124,30 +125,30 @@ TEST(Judge, OfAllCasesTheWorstDecides) {
 TEST(Judge, LessGaussianIsFurtherFromTheGaussianThanInCase1) {
   constexpr const char* kLess = "p(y) is less Gaussian than in case 1";
   auto run = run_with_distances();
-  EXPECT_EQ(outcome(run, 2, kLess), ClaimOutcome::not_established);
+  EXPECT_EQ(outcome(run, 2, kLess), PaperClaimOutcome::not_established);
   budget_row(run, 2, 2, StateVariable::y).total = 0.02;
-  EXPECT_EQ(outcome(run, 2, kLess), ClaimOutcome::established);
+  EXPECT_EQ(outcome(run, 2, kLess), PaperClaimOutcome::established);
   budget_row(run, 1, 2, StateVariable::y).total = 0.03;
-  EXPECT_EQ(outcome(run, 2, kLess), ClaimOutcome::not_established);
+  EXPECT_EQ(outcome(run, 2, kLess), PaperClaimOutcome::not_established);
 }
 
 TEST(Judge, OrderTwoIsComparedWithEquivalentLinearisation) {
   constexpr const char* kSame = "n=2 is equivalent linearisation";
   const auto off = find_judgement(run_with_distances(), 0, kSame);
   EXPECT_EQ(off.outcome,
-            ClaimOutcome::not_established);  // the made-up solution is another Gaussian
+            PaperClaimOutcome::not_established);  // the made-up solution is another Gaussian
   EXPECT_GT(off.l1.value.value(), kMaxL1BetweenEqualGaussians);
   auto run = run_with_distances();
   std::erase_if(case_in(run, 2).curves, [](const results::DensityCurve& curve) {
     return curve.solution == paper_closure_id(2) && curve.variable == StateVariable::ydot;
   });
-  EXPECT_EQ(outcome(run, 0, kSame), ClaimOutcome::unjudged);
+  EXPECT_EQ(outcome(run, 0, kSame), PaperClaimOutcome::unjudged);
 }
 
 TEST(Judge, OrderEightIsNotFoundUnlessPlainNewtonStepsFindARoot) {
   auto run = run_with_distances();
   const auto none = find_judgement(run, 1, kNotFound);
-  EXPECT_EQ(none.outcome, ClaimOutcome::established);
+  EXPECT_EQ(none.outcome, PaperClaimOutcome::established);
   EXPECT_NE(none.reason.find("Newton steps"), std::string::npos);
 
   auto& eighth = closure(run, 1, 8);
@@ -156,7 +157,7 @@ TEST(Judge, OrderEightIsNotFoundUnlessPlainNewtonStepsFindARoot) {
                        .add_diagnostic_metric("plain_newton_converges", true)
                        .take_metrics();
   const auto found = find_judgement(run, 1, kNotFound);
-  EXPECT_EQ(found.outcome, ClaimOutcome::not_established);
+  EXPECT_EQ(found.outcome, PaperClaimOutcome::not_established);
   EXPECT_EQ(found.note,
             "plain Newton steps from equivalent linearisation find a root, which solves its "
             "equations but is no probability density (inadmissible)");
@@ -166,7 +167,7 @@ TEST(Judge, OrderEightIsNotFoundUnlessPlainNewtonStepsFindARoot) {
                        .take_metrics();
   eighth.status = Status::ok;
   const auto otherwise = find_judgement(run, 1, kNotFound);
-  EXPECT_EQ(otherwise.outcome, ClaimOutcome::established);
+  EXPECT_EQ(otherwise.outcome, PaperClaimOutcome::established);
   EXPECT_EQ(otherwise.note, "plain Newton steps find no root, but other methods find a root");
 }
 
@@ -191,7 +192,7 @@ TEST(Judge, ClaimsWithoutNumbersAreUnjudgedWithAReason) {
     lose(run);
     for (auto& case_result : run.cases) case_result.update_assessment();
     const auto one = find_judgement(run, 1, kAgrees);
-    EXPECT_EQ(one.outcome, ClaimOutcome::unjudged) << why;
+    EXPECT_EQ(one.outcome, PaperClaimOutcome::unjudged) << why;
     EXPECT_EQ(one.note, why);
   }
 }

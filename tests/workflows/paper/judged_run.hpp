@@ -52,8 +52,8 @@ inline transform::Solution& closure(results::Run& run, int number, int order) {
 }
 
 /// The judgement of a claim, by the number of its case (0: all four) and its text.
-inline paper::ClaimJudgement find_judgement(const results::Run& run, int number,
-                                            const std::string& claim_text) {
+inline paper::PaperClaimJudgement find_judgement(const results::Run& run, int number,
+                                                 const std::string& claim_text) {
   for (const auto& one : paper::judge_claims(run)) {
     const auto& cases = one.claim.cases;
     const bool is_here = number == 0 ? cases.size() == 4 : cases == std::vector<int>{number};

@@ -29,13 +29,13 @@ std::vector<transform::Solution> quick_references(const problem::Problem& proble
   return {std::move(equation), std::move(solution)};
 }
 
-const std::vector<ClaimJudgement>& judgements() {
+const std::vector<PaperClaimJudgement>& judgements() {
   static const auto all = [] {
     results::Run run{results::current_program("fpkcheck paper"), {}};
     for (int number = 1; number <= 4; ++number) {
       auto problem = tests::paper_case(number);
       problem.name = paper_case_name(number);
-      const auto axes = compare::comparison_axes(problem);
+      const auto axes = compare::comparison_bins(problem);
       std::vector<transform::Solution> solutions;
       for (const int order : {2, 4, 6, 8}) {
         // Without `accuracy` no error estimate is computed: the claims do not need it.
@@ -51,25 +51,25 @@ const std::vector<ClaimJudgement>& judgements() {
   return all;
 }
 
-std::map<ClaimOutcome, int> counts() {
-  std::map<ClaimOutcome, int> found;
+std::map<PaperClaimOutcome, int> counts() {
+  std::map<PaperClaimOutcome, int> found;
   for (const auto& one : judgements()) ++found[one.outcome];
   return found;
 }
 
 TEST(ThePaper, IsJudgedInEveryClaim) {
   const auto found = counts();
-  EXPECT_FALSE(found.contains(ClaimOutcome::unjudged));
-  EXPECT_EQ(found.at(ClaimOutcome::established), 35);
-  EXPECT_EQ(found.at(ClaimOutcome::qualified), 3);
-  EXPECT_EQ(found.at(ClaimOutcome::not_established), 6);
+  EXPECT_FALSE(found.contains(PaperClaimOutcome::unjudged));
+  EXPECT_EQ(found.at(PaperClaimOutcome::established), 35);
+  EXPECT_EQ(found.at(PaperClaimOutcome::qualified), 3);
+  EXPECT_EQ(found.at(PaperClaimOutcome::not_established), 6);
 }
 
 TEST(ThePaper, ClaimsOnVelocityAndOrdersFourAndEightOfCase4Fail) {
   for (const auto& one : judgements()) {
-    if (one.outcome != ClaimOutcome::not_established) continue;
+    if (one.outcome != PaperClaimOutcome::not_established) continue;
     const bool less_gaussian_velocity =
-        one.claim.relation == ClaimedRelation::further_than_in_case_1 &&
+        one.claim.relation == PaperClaimRelation::further_than_in_case_1 &&
         one.claim.variables.front() == transform::StateVariable::ydot;
     const bool of_case_4 =
         one.claim.cases == std::vector<int>{4} && (one.claim.order == 4 || one.claim.order == 8);
@@ -80,7 +80,8 @@ TEST(ThePaper, ClaimsOnVelocityAndOrdersFourAndEightOfCase4Fail) {
 TEST(ThePaper, ClaimsThatOrderSixAgreesAreEstablished) {
   for (const auto& one : judgements()) {
     if (one.claim.order != 6) continue;
-    EXPECT_EQ(one.outcome, ClaimOutcome::established) << claim_text(one.claim) << ": " << one.note;
+    EXPECT_EQ(one.outcome, PaperClaimOutcome::established)
+        << claim_text(one.claim) << ": " << one.note;
   }
 }
 

@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "made_up_studies.hpp"
-#include "report/figure/drawing.hpp"
+#include "report/figure/run_gnuplot.hpp"
 #include "saved_run.hpp"
 #include "temporary_directory.hpp"
 #include "transient/made_up_transient.hpp"
-#include "workflows/study/record.hpp"
+#include "workflows/study/study_record.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -44,9 +44,9 @@ void expect_drawn(const report::Figure& figure, const Names& texts) {
 
 TEST(StudySeries, OfNeighboursWithANameHaveTheStyleOfTheMiddle) {
   const auto study = tests::made_up_order_study();
-  const auto all = make_empty_series(
-      study.rows, [](const ClosureOrderRow& row) { return row.formulation; },
-      [](const ClosureOrderRow& row) -> std::optional<report::FigurePoint> {
+  const auto all = make_empty_figure_series(
+      study.rows, [](const ClosureOrderStudyRow& row) { return row.formulation; },
+      [](const ClosureOrderStudyRow& row) -> std::optional<report::FigurePoint> {
         if (row.order == 8) return std::nullopt;
         return report::FigurePoint{.x = static_cast<double>(row.order), .y = 1};
       });

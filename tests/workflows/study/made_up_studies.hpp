@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "made_up_solutions.hpp"
-#include "workflows/study/closure_order.hpp"
-#include "workflows/study/grid.hpp"
-#include "workflows/study/regularisation.hpp"
+#include "workflows/study/closure_order_study.hpp"
+#include "workflows/study/grid_convergence_study.hpp"
+#include "workflows/study/kramers_moyal_regularisation_study.hpp"
 
 /// Studies with invented solutions and distinguishable numbers.
 namespace fpkcheck::tests {
@@ -36,7 +36,7 @@ inline study::GridStudy made_up_grid_study() {
                               .nx = 10 * level,
                               .nv = 20 * level,
                               .solution = ok(fd, 0.1 * level * order)};
-      row.density = transform::GridLevel{{}, {}, {.y2 = 0.4, .v2 = 0.5}};
+      row.density = transform::GridLevelSolution{{}, {}, {.y2 = 0.4, .v2 = 0.5}};
       row.l1 = study::MarginalL1Distances{0.1 / level / order / order, 0.2 / level / order / order};
       if (level == 1) row.solution = not_ok(fd, transform::Status::inadmissible);
       if (level == 3)
@@ -45,7 +45,7 @@ inline study::GridStudy made_up_grid_study() {
     }
     study.limits.push_back(
         {.order = order,
-         .density = transform::GridLevel{{}, {}, {.y2 = 0.39451776, .v2 = 0.4415}},
+         .density = transform::GridLevelSolution{{}, {}, {.y2 = 0.39451776, .v2 = 0.4415}},
          .error = {.y2 = 1e-6, .v2 = 2e-6},
          .l1 = study::MarginalL1Distances{order == 5 ? 0 : 1.2e-4, 1.4e-4}});
   }
@@ -68,12 +68,12 @@ inline study::ClosureOrderStudy made_up_order_study() {
   study::ClosureOrderStudy study{paper_case(1), ok(fd, 0.6), {}};
   study.problem.name = "case1";
   const auto add = [&](const std::string& formulation, int order, double l1) {
-    study::ClosureOrderRow row{formulation,
-                               order,
-                               formulation == "moment",
-                               ok(closure_identity(formulation, order), 0.001 * order),
-                               study::MarginalL1Distances{l1, 2 * l1},
-                               0.02 * order};
+    study::ClosureOrderStudyRow row{formulation,
+                                    order,
+                                    formulation == "moment",
+                                    ok(closure_identity(formulation, order), 0.001 * order),
+                                    study::MarginalL1Distances{l1, 2 * l1},
+                                    0.02 * order};
     row.solution.metrics =
         transform::SolverMetricsBuilder()
             .add_result_metric("order", transform::value_from_count(order))
@@ -112,8 +112,8 @@ inline study::ClosureOrderStudy made_up_order_study() {
 }
 
 /// Rows without growth, rows that grow, and one row without results.
-inline study::RegularisationStudy made_up_regularisation_study() {
-  using Row = fd_fpk::RegularisationSchemeResult;
+inline study::KramersMoyalRegularisationStudy made_up_regularisation_study() {
+  using Row = fd_fpk::KramersMoyalRegularisationResult;
   const auto settled = [&](const char* scheme, double step, double length) {
     return Row{.scheme = scheme,
                .step = step,
@@ -141,7 +141,7 @@ inline study::RegularisationStudy made_up_regularisation_study() {
   };
   const Row unsolved{
       .scheme = "pade", .step = 0.2, .length = 0, .nx = 16, .nv = 60, .remark = "there is none"};
-  return study::add_growth_rates(
+  return study::add_density_growth_rates(
       make_problem(),
       {.default_length = 0.4,
        .shortest_length = 0.3,

@@ -1,4 +1,4 @@
-#include "workflows/study/closure_order.hpp"
+#include "workflows/study/closure_order_study.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "base/options/parameter.hpp"
+#include "base/options/parameter_value.hpp"
 #include "made_up_solutions.hpp"
 #include "methods/registry.hpp"
 
@@ -16,9 +16,9 @@ struct ToyOptions {
   problem::DensityEquation equation = problem::DensityEquation::kf;
 };
 
-inline const base::Description<ToyOptions>& toy_description() {
+inline const base::OptionsDescription<ToyOptions>& toy_description() {
   static const auto description =
-      base::Description<ToyOptions>("toy ")
+      base::OptionsDescription<ToyOptions>("toy ")
           .add("order", &ToyOptions::order, {"N", "degree"}, base::even_integers_between(2, 6))
           .add("equation", &ToyOptions::equation, {"E", "white or kf"})
           .with_choices({"white", "kf"});

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "made_up_sweep.hpp"
-#include "workflows/sweep/execution/forecast.hpp"
-#include "workflows/sweep/report/tables.hpp"
+#include "workflows/sweep/execution/solve_time_forecast.hpp"
+#include "workflows/sweep/report/sweep_tables.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -63,12 +63,12 @@ TEST(Spread, GivesEachPointOnceFromAllRegions) {
 
 TEST(Makespan, IsThatOfTheDispatch) {
   const std::vector<double> seconds{1, 1, 1, 1, 4};
-  EXPECT_EQ(parallel_wall_clock_time(seconds, 1, PointDispatchRule::shards), 8);
-  EXPECT_EQ(parallel_wall_clock_time(seconds, 2, PointDispatchRule::longest_first), 4);
-  EXPECT_EQ(parallel_wall_clock_time(seconds, 2, PointDispatchRule::in_order), 6);
-  EXPECT_EQ(parallel_wall_clock_time(seconds, 2, PointDispatchRule::shards),
+  EXPECT_EQ(parallel_wall_clock_time(seconds, 1, SweepPointDispatchRule::shards), 8);
+  EXPECT_EQ(parallel_wall_clock_time(seconds, 2, SweepPointDispatchRule::longest_first), 4);
+  EXPECT_EQ(parallel_wall_clock_time(seconds, 2, SweepPointDispatchRule::in_order), 6);
+  EXPECT_EQ(parallel_wall_clock_time(seconds, 2, SweepPointDispatchRule::shards),
             6);  // 1 + 1 + 4 and 1 + 1
-  EXPECT_EQ(parallel_wall_clock_time(seconds, 100, PointDispatchRule::in_order), 4);
+  EXPECT_EQ(parallel_wall_clock_time(seconds, 100, SweepPointDispatchRule::in_order), 4);
 }
 
 TEST(SolveTimeForecast, PredictsAPlanFromASample) {
@@ -89,8 +89,8 @@ TEST(SolveTimeForecast, OfASolvedPlanIsMeasured) {
   const SweepPlan plan = tests::small_plan();
   const auto found = forecast_solve_times(plan, tests::results_of(plan).points, 1);
   EXPECT_EQ(found.uncertainty, 0);
-  EXPECT_NEAR(parallel_wall_clock_time(found.seconds, 1, PointDispatchRule::shards), 6 * 2 + 2 * 15,
-              1e-9);
+  EXPECT_NEAR(parallel_wall_clock_time(found.seconds, 1, SweepPointDispatchRule::shards),
+              6 * 2 + 2 * 15, 1e-9);
   EXPECT_NE(solve_time_forecast_text(plan, found, 1, {}, {100, false}).find("(measured)"),
             std::string::npos);
 }

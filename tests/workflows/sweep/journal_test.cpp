@@ -16,7 +16,7 @@ class JournalFile : public testing::Test {
  protected:
   JournalFile() {
     SweepJournal journal(file_, plan_);
-    EXPECT_TRUE(journal.initial_content().points.empty());
+    EXPECT_TRUE(journal.initial_journal_content().points.empty());
     for (const std::size_t point : {4, 0, 2}) journal.append(tests::result_of(plan_, point));
   }
 
@@ -31,8 +31,8 @@ class JournalFile : public testing::Test {
 TEST_F(JournalFile, ResumesWithTheStoredPoints) {
   {
     SweepJournal again(file_, plan_);
-    EXPECT_EQ(again.initial_content().damaged, 0);
-    ASSERT_EQ(again.initial_content().points.size(), 3);
+    EXPECT_EQ(again.initial_journal_content().damaged, 0);
+    ASSERT_EQ(again.initial_journal_content().points.size(), 3);
     again.append(tests::result_of(plan_, 5));
   }
   const auto content = read_sweep_journal(file_);
@@ -49,14 +49,14 @@ TEST_F(JournalFile, TruncatedLosesItsLastPointAtMost) {
   for (auto length = last + 1; length < whole.size(); length += 7) {
     rewrite(whole.substr(0, length));
     SweepJournal journal(file_, plan_);
-    EXPECT_EQ(journal.initial_content().points.size(), 2);
-    EXPECT_EQ(journal.initial_content().damaged, 1);
+    EXPECT_EQ(journal.initial_journal_content().points.size(), 2);
+    EXPECT_EQ(journal.initial_journal_content().damaged, 1);
     journal.append(tests::result_of(plan_, 2));
     EXPECT_EQ(text(), whole);
   }
   // Cut in the first line: as a new journal.
   rewrite(whole.substr(0, 100));
-  EXPECT_TRUE(SweepJournal(file_, plan_).initial_content().points.empty());
+  EXPECT_TRUE(SweepJournal(file_, plan_).initial_journal_content().points.empty());
 }
 
 TEST_F(JournalFile, IgnoresDamagedLines) {
@@ -64,8 +64,8 @@ TEST_F(JournalFile, IgnoresDamagedLines) {
   damaged[damaged.find("fd-kf", damaged.find('\n')) + 1] = 'x';
   rewrite(damaged);
   SweepJournal journal(file_, plan_);
-  EXPECT_EQ(journal.initial_content().points.size(), 2);
-  EXPECT_EQ(journal.initial_content().damaged, 1);
+  EXPECT_EQ(journal.initial_journal_content().points.size(), 2);
+  EXPECT_EQ(journal.initial_journal_content().damaged, 1);
 }
 
 TEST_F(JournalFile, RefusesAnotherPlan) {

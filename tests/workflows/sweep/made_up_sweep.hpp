@@ -5,7 +5,7 @@
 
 #include "methods/builtin_solvers.hpp"
 #include "paper_cases.hpp"
-#include "workflows/sweep/plan/plan.hpp"
+#include "workflows/sweep/plan/sweep_plan.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
 /// Plans and results with invented numbers.
@@ -16,7 +16,7 @@ inline sweep::SweepPlan plan_of(std::vector<sweep::SweepAxis> axes,
                                 const std::string& methods = "epc-gaussian-n2,fd-kf") {
   sweep::SweepPlan plan{.base = make_problem(), .axes = std::move(axes), .design = design};
   plan.methods = methods::builtin_registry().methods_selected_by_list(methods, {});
-  plan.points = sweep::make_plan_points(plan.axes, design, 0);
+  plan.points = sweep::make_sweep_plan_points(plan.axes, design, 0);
   return plan;
 }
 

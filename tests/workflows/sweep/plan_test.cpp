@@ -9,7 +9,7 @@
 #include "made_up_sweep.hpp"
 #include "problem/case_file.hpp"
 #include "temporary_directory.hpp"
-#include "workflows/sweep/plan/plan.hpp"
+#include "workflows/sweep/plan/sweep_plan.hpp"
 #include "workflows/sweep/result/sweep_json.hpp"
 
 namespace fpkcheck::sweep {
@@ -46,14 +46,15 @@ TEST(SweepAxis, WithoutACountIsARangeWithoutValues) {
   const SweepAxis axis = parse_sweep_axis("impulse.rate", "log:0.1:10", "x");
   EXPECT_TRUE(axis.values.empty());
   EXPECT_NEAR(axis.value_at_fraction(0.5), 1, 1e-12);
-  EXPECT_EQ(axis.definition_text(), "impulse.rate = log:0.1:10");
+  EXPECT_EQ(axis.axis_definition_text(), "impulse.rate = log:0.1:10");
 }
 
 const SweepAxis kRates = parse_sweep_axis("impulse.rate", "1,2", "x");
 const SweepAxis kLosses = parse_sweep_axis("system.restitution", "0.8,0.9,1", "x");
 
 TEST(PlanPoints, OfAProductTheLastAxisVariesFastest) {
-  const SweepPlanPoints points = make_plan_points({kRates, kLosses}, SweepPlanDesign::product, 0);
+  const SweepPlanPoints points =
+      make_sweep_plan_points({kRates, kLosses}, SweepPlanDesign::product, 0);
   ASSERT_EQ(points.size(), 6);
   EXPECT_EQ(points[1], (std::vector<base::Value>{1.0, 0.9}));
   EXPECT_EQ(points[3], (std::vector<base::Value>{2.0, 0.8}));
@@ -61,9 +62,9 @@ TEST(PlanPoints, OfAProductTheLastAxisVariesFastest) {
 
 TEST(PlanPoints, OfAListHaveTheKthValues) {
   const SweepAxis two = parse_sweep_axis("system.restitution", "0.8,0.9", "x");
-  EXPECT_EQ(make_plan_points({kRates, two}, SweepPlanDesign::list, 0),
+  EXPECT_EQ(make_sweep_plan_points({kRates, two}, SweepPlanDesign::list, 0),
             (SweepPlanPoints{{1.0, 0.8}, {2.0, 0.9}}));
-  EXPECT_THROW(make_plan_points({kRates, kLosses}, SweepPlanDesign::list, 0), InputError);
+  EXPECT_THROW(make_sweep_plan_points({kRates, kLosses}, SweepPlanDesign::list, 0), InputError);
 }
 
 // Each sixteenth of each range gets the same number of points, unlike random points.
@@ -71,7 +72,7 @@ TEST(PlanPoints, OfASobolSequenceFillTheBoxEvenly) {
   const std::vector<SweepAxis> axes{parse_sweep_axis("impulse.rate", "log:0.1:10", "x"),
                                     parse_sweep_axis("system.restitution", "0.5:1", "x"),
                                     parse_sweep_axis("system.cubic", "1:2", "x")};
-  const SweepPlanPoints points = make_plan_points(axes, SweepPlanDesign::sobol, 255);
+  const SweepPlanPoints points = make_sweep_plan_points(axes, SweepPlanDesign::sobol, 255);
   ASSERT_EQ(points.size(), 255);
   for (std::size_t a = 0; a < axes.size(); ++a) {
     std::array<int, 16> counts{};
@@ -91,7 +92,7 @@ TEST(PlanPoints, OfASobolSequenceFillTheBoxEvenly) {
 
 TEST(SweepPlan, AProblemHasTheValuesOfItsPoint) {
   const SweepPlan plan = tests::small_plan();
-  const auto problem = plan.problem_at(4);
+  const auto problem = plan.problem_at_sweep_point(4);
   EXPECT_EQ(problem.impulses.arrival_rate(), 2);
   EXPECT_EQ(problem.system.coefficients().restitution, 0.9);
   EXPECT_EQ(problem.system.coefficients().cubic, plan.base.system.coefficients().cubic);
@@ -129,7 +130,7 @@ TEST_F(PlanFile, HasACaseAndVariedKeys) {
   EXPECT_EQ(plan.base.name, "mine");
   EXPECT_EQ(plan.base.system.coefficients().damping, 0.3);
   ASSERT_EQ(plan.axes.size(), 2);
-  EXPECT_EQ(plan.axes[1].definition_text(), "impulse.rate = log:1:2");
+  EXPECT_EQ(plan.axes[1].axis_definition_text(), "impulse.rate = log:1:2");
   EXPECT_EQ(plan.design, SweepPlanDesign::sobol);
   EXPECT_EQ(plan.points, 7);
   EXPECT_EQ(plan.methods, "epc,fd-kf");
@@ -146,14 +147,14 @@ TEST_F(PlanFile, MayNameItsCaseOrBeACaseAlone) {
 }
 
 std::string difference(const SweepPlan& before, const SweepPlan& now) {
-  return first_plan_difference(sweep_plan_json(before), sweep_plan_json(now));
+  return first_sweep_plan_difference(sweep_plan_json(before), sweep_plan_json(now));
 }
 
 TEST(PlanJson, IsReadBackUnchanged) {
   const SweepPlan plan = tests::plan_of({parse_sweep_axis("impulse.law", "gaussian,laplace", "x"),
                                          parse_sweep_axis("system.cubic", "log:1:100:3", "x")});
   const auto json = results::Json::parse(sweep_plan_json(plan).dump());
-  const SweepPlan again = plan_from_json(json, methods::builtin_registry());
+  const SweepPlan again = sweep_plan_from_json(json, methods::builtin_registry());
   EXPECT_EQ(again.points, plan.points);
   EXPECT_EQ(difference(plan, again), "");
   EXPECT_EQ(again.methods[1].id(), "fd-kf");

@@ -9,7 +9,7 @@
 #include "base/input_error.hpp"
 #include "made_up_sweep.hpp"
 #include "temporary_directory.hpp"
-#include "workflows/sweep/execution/shards.hpp"
+#include "workflows/sweep/execution/sweep_shards.hpp"
 #include "workflows/sweep/result/journal.hpp"
 
 namespace fpkcheck::sweep {
@@ -18,10 +18,10 @@ namespace {
 TEST(Shard, EveryPointIsInOne) {
   std::multiset<std::size_t> all;
   for (std::size_t i = 1; i <= 4; ++i) {
-    for (const auto point : SweepShard{i, 4}.point_numbers(10)) all.insert(point);
+    for (const auto point : SweepShard{i, 4}.shard_point_numbers(10)) all.insert(point);
   }
   EXPECT_EQ(all, (std::multiset<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
-  EXPECT_EQ((SweepShard{2, 4}.point_numbers(10)), (std::vector<std::size_t>{1, 5, 9}));
+  EXPECT_EQ((SweepShard{2, 4}.shard_point_numbers(10)), (std::vector<std::size_t>{1, 5, 9}));
 }
 
 TEST(Shard, IsReadFromTheNameOfItsJournal) {
@@ -38,15 +38,15 @@ TEST(Shard, IsReadFromTheNameOfItsJournal) {
 
 TEST(Shard, HoldsItsPoints) {
   for (std::size_t i = 1; i <= 4; ++i) {
-    for (const auto point : SweepShard{i, 4}.point_numbers(10)) {
-      EXPECT_EQ(SweepShard::containing(point, 4).number, i);
+    for (const auto point : SweepShard{i, 4}.shard_point_numbers(10)) {
+      EXPECT_EQ(SweepShard::shard_containing_point(point, 4).number, i);
     }
   }
 }
 
 TEST(Shard, IsReadFromITheSlashAndN) {
-  EXPECT_EQ(parse_shard("3/16").journal_name(), "journal.3-of-16");
-  EXPECT_EQ(SweepShard{}.journal_name(), "journal");
+  EXPECT_EQ(parse_shard("3/16").shard_journal_name(), "journal.3-of-16");
+  EXPECT_EQ(SweepShard{}.shard_journal_name(), "journal");
   for (const char* bad : {"", "3", "0/4", "5/4", "1/", "/4", "1/4x", "-1/4", "1.5/4"}) {
     EXPECT_THROW(parse_shard(bad), InputError) << bad;
   }
@@ -55,8 +55,8 @@ TEST(Shard, IsReadFromITheSlashAndN) {
 void write_shard(const SweepPlan& plan, const std::filesystem::path& directory,
                  const SweepShard& shard) {
   std::filesystem::create_directories(directory);
-  SweepJournal journal(directory / shard.journal_name(), plan);
-  for (const auto point : shard.point_numbers(plan.points.size())) {
+  SweepJournal journal(directory / shard.shard_journal_name(), plan);
+  for (const auto point : shard.shard_point_numbers(plan.points.size())) {
     journal.append(tests::result_of(plan, point));
   }
 }
@@ -100,7 +100,7 @@ TEST(MergedSweep, ReportsAnIncompleteShard) {
   const tests::TemporaryDirectory directory;
   const SweepPlan plan = tests::small_plan();
   write_shard(plan, directory.path(), {1, 2});
-  SweepJournal(directory.path() / SweepShard{2, 2}.journal_name(), plan)
+  SweepJournal(directory.path() / SweepShard{2, 2}.shard_journal_name(), plan)
       .append(tests::result_of(plan, 1));
   const auto all = merge_sweep_journals({directory.path()}, methods::builtin_registry());
   ASSERT_EQ(all.remarks.size(), 1);

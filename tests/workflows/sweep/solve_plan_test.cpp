@@ -31,15 +31,15 @@ TEST(PointQueue, AssignsEachPointOnceTheLongestFirst) {
   for (auto point = queue.take_next_sweep_point(); point; point = queue.take_next_sweep_point()) {
     EXPECT_TRUE(seen.insert(*point).second);
     order.push_back(*point);
-    queue.record_solve_time(*point, seconds(*point));
+    queue.record_sweep_point_solve_time(*point, seconds(*point));
   }
   EXPECT_EQ(seen.size(), 200);
   // After the initial sample the order is by time; the last points are short.
   for (std::size_t k = 30; k + 1 < order.size(); ++k) {
     EXPECT_GE(seconds(order[k]), 0.95 * seconds(order[k + 1]));
   }
-  EXPECT_EQ(queue.state().done, 200);
-  EXPECT_NEAR(*queue.state().remaining_seconds, 0, 1);
+  EXPECT_EQ(queue.point_queue_state().done, 200);
+  EXPECT_NEAR(*queue.point_queue_state().remaining_seconds, 0, 1);
 }
 
 TEST(PointQueue, SkipsSolvedPoints) {
@@ -49,8 +49,8 @@ TEST(PointQueue, SkipsSolvedPoints) {
   for (auto point = queue.take_next_sweep_point(); point; point = queue.take_next_sweep_point())
     seen.insert(*point);
   EXPECT_EQ(seen, (std::set<std::size_t>{0, 4}));
-  EXPECT_EQ(queue.state().done, 1);
-  EXPECT_EQ(queue.state().total, 3);
+  EXPECT_EQ(queue.point_queue_state().done, 1);
+  EXPECT_EQ(queue.point_queue_state().total, 3);
 }
 
 bool says(const std::string& text, const std::string& part) {
@@ -63,19 +63,20 @@ TEST(JournaledPointQueue, ReportsThePointsOfAResumedSweep) {
   const auto file = directory.path() / "journal";
   {
     JournaledPointQueue fresh(plan, directory.path(), {}, {});
-    EXPECT_EQ(fresh.resumption_text(), "");
+    EXPECT_EQ(fresh.sweep_resumption_text(), "");
     for (const std::size_t point : {4, 0})
       fresh.store_solved_point({tests::result_of(plan, point), {}});
   }
   {
     const JournaledPointQueue again(plan, directory.path(), {}, {});
-    const std::string text = again.resumption_text();
+    const std::string text = again.sweep_resumption_text();
     EXPECT_TRUE(says(text, "2 of 6 points kept, 4 to solve")) << text;
     EXPECT_FALSE(says(text, "damaged")) << text;
   }
   // A killed process leaves the last line incomplete.
   std::filesystem::resize_file(file, std::filesystem::file_size(file) - 9);
-  const std::string text = JournaledPointQueue(plan, directory.path(), {}, {}).resumption_text();
+  const std::string text =
+      JournaledPointQueue(plan, directory.path(), {}, {}).sweep_resumption_text();
   EXPECT_TRUE(says(text, "1 of 6 points kept, 5 to solve")) << text;
   EXPECT_TRUE(says(text, "1 damaged line")) << text;
 }
@@ -86,7 +87,7 @@ TEST(JournaledPointQueue, OfAShardCountsItsPoints) {
   const SweepPlan plan = tests::small_plan();
   SweepJournal(directory.path() / "journal.2-of-3", plan).append(tests::result_of(plan, 1));
   const std::string text =
-      JournaledPointQueue(plan, directory.path(), {2, 3}, {}).resumption_text();
+      JournaledPointQueue(plan, directory.path(), {2, 3}, {}).sweep_resumption_text();
   EXPECT_TRUE(says(text, "journal.2-of-3: 1 of 2 points kept, 1 to solve")) << text;
 }
 
@@ -99,7 +100,7 @@ TEST(SolvePoint, AgreesWithARunWhereErrorsComeFromResiduals) {
   plan.methods = methods::builtin_registry().methods_selected_by_list(
       "epc-gaussian-n4,fd-white,fd-kf", {{"stepper", "direct"}});
   const auto point = solve_sweep_point(plan, 1);
-  const auto run = methods::run_cases({plan.problem_at(1)}, plan.methods, 1, {});
+  const auto run = methods::run_cases({plan.problem_at_sweep_point(1)}, plan.methods, 1, {});
   EXPECT_EQ(point.result.reference, "fd-kf");
   EXPECT_TRUE(point.curves.empty());
   for (std::size_t m = 0; m < 3; ++m) {
@@ -177,14 +178,14 @@ TEST(SolveLeft, StoresEveryPointAndItsMarginals) {
       EXPECT_EQ(at.total, 5);
       told = at.done;
     });
-    solve_remaining_points(plan, progress, 2);
+    solve_remaining_sweep_points(plan, progress, 2);
     EXPECT_EQ(progress.solved_points().size(), 5);
   }
   EXPECT_EQ(told, 5);
   EXPECT_TRUE(std::filesystem::exists(directory.path() / "marginals" / "000004.csv"));
   JournaledPointQueue again(plan, directory.path(), {}, {});
   EXPECT_FALSE(again.take_next_sweep_point());
-  EXPECT_EQ(again.state().done, 5);
+  EXPECT_EQ(again.point_queue_state().done, 5);
 }
 
 }  // namespace

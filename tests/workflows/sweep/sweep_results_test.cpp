@@ -8,7 +8,7 @@
 #include "made_up_sweep.hpp"
 #include "results/netcdf/reader.hpp"
 #include "workflows/sweep/map/validity_map.hpp"
-#include "workflows/sweep/report/tables.hpp"
+#include "workflows/sweep/report/sweep_tables.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -22,7 +22,7 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 std::string groups_text(std::size_t point) {
   const auto [impulses, damping, cubic] =
-      dimensionless_groups(tests::small_plan().problem_at(point));
+      dimensionless_groups(tests::small_plan().problem_at_sweep_point(point));
   return fmt::format("{:.4g},{:.4g},{:.4g}", impulses, damping, cubic);
 }
 

@@ -1,4 +1,4 @@
-#include "workflows/sweep/map/advice.hpp"
+#include "workflows/sweep/map/method_advice.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include "problem/problem.hpp"
 #include "thorough.hpp"
 #include "workflows/sweep/execution/solve_point.hpp"
-#include "workflows/sweep/map/advice.hpp"
+#include "workflows/sweep/map/method_advice.hpp"
 
 // Reliability of the promises of the shipped map (docs/validity.md).
 namespace fpkcheck::sweep {

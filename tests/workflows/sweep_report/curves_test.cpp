@@ -14,11 +14,11 @@ using tests::points_of;
 using Names = std::vector<std::string>;
 
 report::Figure distances_of(const SweepResults& results) {
-  return distance_curves_figure(SweepView(results));
+  return distance_curves_figure(SweepResultsView(results));
 }
 
 report::Figure moments_of(const SweepResults& results) {
-  return moment_curves_figure(SweepView(results));
+  return moment_curves_figure(SweepResultsView(results));
 }
 
 bool shows(const report::Figure& figure, const std::string& name) {
@@ -142,7 +142,7 @@ TEST(Moments, HaveAxesThatCoverOkSolutions) {
 TEST(Scatter, HasAPanelForEachKeyWithAllMethods) {
   const auto results =
       tests::made_up_sweep({tests::kFiveRestitutions, tests::kThreeRates, tests::kTwoLaws});
-  const auto figure = distance_scatter_figure(SweepView(results));
+  const auto figure = distance_scatter_figure(SweepResultsView(results));
   ASSERT_EQ(figure.panels.size(), 3u);
   EXPECT_TRUE(figure.panels[0].x.label.starts_with("system.restitution"));
   EXPECT_TRUE(figure.panels[1].x.label.starts_with("impulse.rate"));
@@ -165,7 +165,7 @@ TEST(Scatter, MediansAreOfOkSolutions) {
     results.points[k].methods[tests::made_up_white].l1 = MarginalL1Values{l1, l1 / 2};
   }
   const auto medians = [&] {
-    return points_of(distance_scatter_figure(SweepView(results)).panels[0],
+    return points_of(distance_scatter_figure(SweepResultsView(results)).panels[0],
                      "median of fd-white where ok");
   };
   EXPECT_EQ(medians(), "0.6 0.2, 0.7 0.03");
@@ -178,7 +178,7 @@ TEST(Scatter, PartsOfARangeHaveMediansOfSeveralPoints) {
   const auto results = tests::made_up_sweep(tests::made_up_plan(
       {{"system.restitution", "0.6:1"}, {"impulse.rate", "log:0.1:10"}, {"system.cubic", "0:1"}},
       SweepPlanDesign::sobol, 40));
-  const auto figure = distance_scatter_figure(SweepView(results));
+  const auto figure = distance_scatter_figure(SweepResultsView(results));
   const auto& panel = figure.panels[0];
   EXPECT_EQ(tests::series_of(panel, "fd-white").points.size(), 40u);
   EXPECT_EQ(tests::series_of(panel, "median of fd-white where ok").points.size(), 4u);

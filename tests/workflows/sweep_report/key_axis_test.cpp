@@ -38,13 +38,13 @@ TEST(KeyAxis, PlacesWordsAtEqualDistances) {
 
 TEST(KeyAxis, OfCellsHasRoundNumbersAtTheirPositions) {
   const SweepParameterAxis restitution = axis_of(tests::kFiveRestitutions);
-  EXPECT_EQ(restitution.cell_index(0.8), 2u);
+  EXPECT_EQ(restitution.map_cell_index(0.8), 2u);
   // 0.7 is between the first cell, 0, and the third cell.
   EXPECT_TRUE(contains(tests::tics_of(restitution.figure_axis_of_cells()), "0.7 1, "));
   EXPECT_TRUE(
       contains(tests::tics_of(axis_of(tests::kThreeRates).figure_axis_of_cells()), ", 1 1, "));
   // The cells are in the order of the numbers, also for a decreasing range.
-  EXPECT_EQ(axis_of({"system.restitution", "1:0.6:5"}).cell_index(0.6), 0u);
+  EXPECT_EQ(axis_of({"system.restitution", "1:0.6:5"}).map_cell_index(0.6), 0u);
 }
 
 TEST(KeyAxis, OfAListNamesItsValues) {

@@ -34,7 +34,7 @@ inline sweep::SweepPlan made_up_plan(
     plan.methods.emplace_back();
     plan.methods.back().identity = who;
   }
-  plan.points = sweep::make_plan_points(plan.axes, design, sobol_points);
+  plan.points = sweep::make_sweep_plan_points(plan.axes, design, sobol_points);
   return plan;
 }
 

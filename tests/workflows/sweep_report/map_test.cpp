@@ -15,7 +15,7 @@ using tests::series_of;
 using transform::Status;
 
 report::Figure map_of(const SweepResults& results) {
-  return distance_map_figure(SweepView(results));
+  return distance_map_figure(SweepResultsView(results));
 }
 
 SweepResults two_keys() {

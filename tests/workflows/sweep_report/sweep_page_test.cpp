@@ -3,7 +3,7 @@
 #include "made_up_sweep.hpp"
 #include "saved_run.hpp"
 #include "workflows/sweep/report/page/sweep_page.hpp"
-#include "workflows/sweep/report/tables.hpp"
+#include "workflows/sweep/report/sweep_tables.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -86,7 +86,7 @@ TEST(Reasons, AreGroupedWithoutTheirNumbers) {
 TEST(Reasons, AreGroupedTheMostFrequentFirst) {
   auto results = tests::made_up_sweep({tests::kFiveRestitutions});
   results.points[3].methods[tests::made_up_moment] = tests::made_up_failure();
-  const auto groups = reason_groups(results);
+  const auto groups = status_reason_groups(results);
   ASSERT_EQ(groups.size(), 2u);
   EXPECT_EQ(groups[0].method, std::size_t{tests::made_up_gaussian});
   EXPECT_EQ(groups[0].count, 4u);

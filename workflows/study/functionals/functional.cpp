@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "methods/plot_style.hpp"
 #include "results/run.hpp"
 #include "results/run_json.hpp"
@@ -17,14 +17,14 @@ namespace fpkcheck::study {
 
 using transform::Status;
 
-std::vector<SelectedMethod> methods_selected_by_list(const FunctionalOptions& options,
-                                                     SelectableMethods selectable) {
-  const bool has_closures = selectable == SelectableMethods::with_closures;
-  const bool has_characteristics = selectable == SelectableMethods::with_characteristics;
-  std::vector<SelectedMethod> methods;
+std::vector<SelectedFunctionalMethod> methods_selected_by_list(
+    const FunctionalCommandOptions& options, SelectableFunctionalMethods selectable) {
+  const bool has_closures = selectable == SelectableFunctionalMethods::with_closures;
+  const bool has_characteristics = selectable == SelectableFunctionalMethods::with_characteristics;
+  std::vector<SelectedFunctionalMethod> methods;
   for (const std::string& item : split_at_commas(options.methods)) {
     const std::string id = item == "fd" ? "fd-kf" : item;
-    SelectedMethod method;
+    SelectedFunctionalMethod method;
     method.fd = fd_fpk::options_of(id);
     method.mcs = mcs::options_of(id);
     if (has_closures) method.epc = epc::options_of(id);
@@ -68,16 +68,17 @@ std::vector<SelectedMethod> methods_selected_by_list(const FunctionalOptions& op
   return methods;
 }
 
-std::vector<SelectedMethod>::const_iterator find_method(const std::vector<SelectedMethod>& methods,
-                                                        const std::string& id) {
-  return std::ranges::find(methods, id,
-                           [](const SelectedMethod& method) { return method.identity.id; });
+std::vector<SelectedFunctionalMethod>::const_iterator find_method(
+    const std::vector<SelectedFunctionalMethod>& methods, const std::string& id) {
+  return std::ranges::find(
+      methods, id, [](const SelectedFunctionalMethod& method) { return method.identity.id; });
 }
 
-void for_each_selected_method(const problem::Problem& problem, const FunctionalOptions& options,
+void for_each_selected_method(const problem::Problem& problem,
+                              const FunctionalCommandOptions& options,
                               const methods::ProgressListener& listener,
-                              const std::function<void(const SelectedMethod&)>& compute,
-                              SelectableMethods selectable) {
+                              const std::function<void(const SelectedFunctionalMethod&)>& compute,
+                              SelectableFunctionalMethods selectable) {
   auto selected = methods_selected_by_list(options, selectable);
   for (std::size_t k = 0; k < selected.size(); ++k) {
     const auto progress = [&](double fraction) {
@@ -124,7 +125,8 @@ void append_value_columns(const std::string& id, const std::string& header,
   columns.push_back({id, has_standard_errors ? "std err" : "error", id + "-error", "{:.1e}"});
 }
 
-report::FigurePoint point_with_interval(double x, double y, double error, bool is_standard_error) {
+report::FigurePoint figure_point_with_error_interval(double x, double y, double error,
+                                                     bool is_standard_error) {
   report::FigurePoint point{.x = x, .y = y};
   if (is_standard_error) {
     point.lower = y - 2 * error;

@@ -11,22 +11,22 @@
 
 #include "backward/passage/passage.hpp"
 #include "backward/passage/passage_bounds.hpp"
-#include "base/options/description.hpp"
+#include "base/options/option_description.hpp"
 #include "epc/options.hpp"
 #include "fd_fpk/options.hpp"
 #include "mcs/options.hpp"
 #include "methods/run_cases.hpp"
 #include "report/figure/figure.hpp"
-#include "results/json.hpp"
+#include "results/json_conversions.hpp"
 #include "transform/solution.hpp"
-#include "workflows/study/record.hpp"
+#include "workflows/study/study_record.hpp"
 
 /// Options, methods and texts that the commands `spectrum`, `sensitivity` and `passage` share. Each
 /// of these commands computes a functional of the generator of the process.
 namespace fpkcheck::study {
 
 /// Options that the commands `spectrum`, `sensitivity` and `passage` share.
-struct FunctionalOptions {
+struct FunctionalCommandOptions {
   std::string methods = "fd-kf,mcs";
   double accuracy = 1e-2;
   double max_seconds = 10;
@@ -36,49 +36,49 @@ struct FunctionalOptions {
 };
 
 /// Returns the descriptions `own` of the options of one command, followed by the descriptions of
-/// the options in FunctionalOptions.
-/// @tparam Options a struct derived from FunctionalOptions
+/// the options in FunctionalCommandOptions.
+/// @tparam Options a struct derived from FunctionalCommandOptions
 /// @param accuracy_help meaning of the option --accuracy
 /// @param time_help meaning of the option --time
 /// @param methods_help meaning of the option --methods
 template <class Options>
-base::Description<Options> with_functional_options(base::Description<Options> own,
-                                                   const std::string& accuracy_help,
-                                                   const std::string& time_help,
-                                                   const std::string& methods_help =
-                                                       "ids of methods: fd-kf, fd-white, fd-km4, "
-                                                       ".., mcs, mcs-white") {
+base::OptionsDescription<Options> with_functional_options(
+    base::OptionsDescription<Options> own, const std::string& accuracy_help,
+    const std::string& time_help,
+    const std::string& methods_help =
+        "ids of methods: fd-kf, fd-white, fd-km4, "
+        ".., mcs, mcs-white") {
   using namespace base;
   const Options defaults;
-  const auto member = [](auto FunctionalOptions::*of_base) {
+  const auto member = [](auto FunctionalCommandOptions::*of_base) {
     return static_cast<
         std::remove_reference_t<decltype(std::declval<Options>().*of_base)> Options::*>(of_base);
   };
   return std::move(own)
-      .add("methods", member(&FunctionalOptions::methods), {"LIST", methods_help})
+      .add("methods", member(&FunctionalCommandOptions::methods), {"LIST", methods_help})
       .with_default(defaults.methods)
-      .add("accuracy", member(&FunctionalOptions::accuracy), {"A", accuracy_help},
+      .add("accuracy", member(&FunctionalCommandOptions::accuracy), {"A", accuracy_help},
            positive_numbers())
       .with_default(defaults.accuracy)
       .add(
-          "max_seconds", member(&FunctionalOptions::max_seconds),
+          "max_seconds", member(&FunctionalCommandOptions::max_seconds),
           {"S",
            "time limit in seconds of the finite volumes, of the methods characteristics and bounds, and of each root of a "
            "closure or its density over time"},
           positive_numbers())
       .with_default(defaults.max_seconds)
-      .add("time", member(&FunctionalOptions::time), {"T", time_help}, positive_numbers())
-      .add("seed", member(&FunctionalOptions::seed), {"N", "seed of the simulation"},
+      .add("time", member(&FunctionalCommandOptions::time), {"T", time_help}, positive_numbers())
+      .add("seed", member(&FunctionalCommandOptions::seed), {"N", "seed of the simulation"},
            closed_interval(0, 9.2e18))
       .with_default(static_cast<std::int64_t>(defaults.seed))
-      .add("threads", member(&FunctionalOptions::threads),
+      .add("threads", member(&FunctionalCommandOptions::threads),
            {"N", "threads of the simulation (default: one per processor)"},
            closed_interval(1, 4096));
 }
 
 /// A method that computes a functional. Exactly one of the members `fd`, `characteristics`,
 /// `bounds`, `epc` and `mcs` has a value, the options of the method.
-struct SelectedMethod {
+struct SelectedFunctionalMethod {
   transform::SolutionIdentity identity;  ///< with the plot style of the method
   std::optional<fd_fpk::FiniteVolumeOptions> fd = {};
   std::optional<backward::PassageCollocationOptions> characteristics = {};
@@ -87,31 +87,33 @@ struct SelectedMethod {
   std::optional<mcs::SimulationOptions> mcs = {};
 };
 
-enum class SelectableMethods {
+enum class SelectableFunctionalMethods {
   finite_volumes_and_simulations,
   with_closures,
   with_characteristics
 };
 
-/// Returns the methods of the comma-separated list FunctionalOptions::methods. The item "fd"
+/// Returns the methods of the comma-separated list FunctionalCommandOptions::methods. The item "fd"
 /// selects "fd-kf".
 /// @throws InputError if an item selects no method, or a method that is not selectable
-std::vector<SelectedMethod> methods_selected_by_list(
-    const FunctionalOptions& options,
-    SelectableMethods selectable = SelectableMethods::finite_volumes_and_simulations);
+std::vector<SelectedFunctionalMethod> methods_selected_by_list(
+    const FunctionalCommandOptions& options,
+    SelectableFunctionalMethods selectable =
+        SelectableFunctionalMethods::finite_volumes_and_simulations);
 
 /// Returns an iterator to the method with the given id, or the end iterator of the list.
-std::vector<SelectedMethod>::const_iterator find_method(const std::vector<SelectedMethod>& methods,
-                                                        const std::string& id);
+std::vector<SelectedFunctionalMethod>::const_iterator find_method(
+    const std::vector<SelectedFunctionalMethod>& methods, const std::string& id);
 
 /// Calls `compute` with each selected method. The listener receives the progress of each
 /// simulation.
 /// @throws InputError as methods_selected_by_list()
-void for_each_selected_method(
-    const problem::Problem& problem, const FunctionalOptions& options,
-    const methods::ProgressListener& listener,
-    const std::function<void(const SelectedMethod&)>& compute,
-    SelectableMethods selectable = SelectableMethods::finite_volumes_and_simulations);
+void for_each_selected_method(const problem::Problem& problem,
+                              const FunctionalCommandOptions& options,
+                              const methods::ProgressListener& listener,
+                              const std::function<void(const SelectedFunctionalMethod&)>& compute,
+                              SelectableFunctionalMethods selectable =
+                                  SelectableFunctionalMethods::finite_volumes_and_simulations);
 
 /// Returns the JSON text of one case with a list of results under `key`, as in summary.json.
 std::string functional_json(const problem::Problem& problem, const std::string& key,
@@ -134,7 +136,8 @@ void append_value_columns(const std::string& id, const std::string& header,
 
 /// Returns a point with an interval of two standard errors, or without an interval if the error is
 /// no standard error.
-report::FigurePoint point_with_interval(double x, double y, double error, bool is_standard_error);
+report::FigurePoint figure_point_with_error_interval(double x, double y, double error,
+                                                     bool is_standard_error);
 
 /// Returns the items of a comma-separated list.
 std::vector<std::string> split_at_commas(const std::string& list);

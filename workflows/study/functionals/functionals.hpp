@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/options/description.hpp"
+#include "base/options/option_description.hpp"
 #include "methods/run_cases.hpp"
 #include "problem/problem.hpp"
 #include "report/figure/figure.hpp"
@@ -18,7 +18,7 @@
 namespace fpkcheck::study {
 
 /// First passage of the displacement or of the energy above a barrier; one of the two is given.
-struct PassageOptions : FunctionalOptions {
+struct PassageOptions : FunctionalCommandOptions {
   std::optional<double> displacement{}, energy{};
   /// Initial state "Y,V"; empty for a start at rest.
   std::optional<std::string> start{};
@@ -26,7 +26,7 @@ struct PassageOptions : FunctionalOptions {
   std::optional<std::string> times{};
 };
 
-const base::Description<PassageOptions>& passage_option_descriptions();
+const base::OptionsDescription<PassageOptions>& passage_option_descriptions();
 
 struct PassageStudy {
   static constexpr const char* kFileStem = "passage";
@@ -52,14 +52,14 @@ std::string study_table_text(const PassageStudy& study, const report::TerminalTe
 report::Figure study_figure(const PassageStudy& study);
 
 /// Spectral densities of y or y'.
-struct SpectrumOptions : FunctionalOptions {
+struct SpectrumOptions : FunctionalCommandOptions {
   transform::StateVariable variable = transform::StateVariable::y;
   /// Frequencies "FROM:TO:N". If empty, the range from 0 to four times the mean frequency is
   /// divided into 200 intervals.
   std::optional<std::string> frequencies{};
 };
 
-const base::Description<SpectrumOptions>& spectrum_option_descriptions();
+const base::OptionsDescription<SpectrumOptions>& spectrum_option_descriptions();
 
 struct SpectrumStudy {
   static constexpr const char* kFileStem = "spectrum";
@@ -81,12 +81,12 @@ std::string study_table_text(const SpectrumStudy& study, const report::TerminalT
 report::Figure study_figure(const SpectrumStudy& study);
 
 /// Derivatives of the stationary moments and densities with respect to parameters.
-struct SensitivityOptions : FunctionalOptions {
+struct SensitivityOptions : FunctionalCommandOptions {
   /// Comma-separated keys of the parameters; empty for all of differentiable_parameters().
   std::optional<std::string> parameters{};
 };
 
-const base::Description<SensitivityOptions>& sensitivity_option_descriptions();
+const base::OptionsDescription<SensitivityOptions>& sensitivity_option_descriptions();
 
 struct SensitivityStudy {
   static constexpr const char* kFileStem = "sensitivity";

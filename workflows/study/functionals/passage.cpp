@@ -12,13 +12,13 @@
 #include "backward/passage/passage.hpp"
 #include "backward/passage/passage_bounds.hpp"
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "fd_fpk/functionals/energy_passage.hpp"
 #include "fd_fpk/functionals/passage.hpp"
 #include "mcs/passage.hpp"
 #include "problem/effective_potential.hpp"
+#include "report/figure/figure_layout.hpp"
 #include "report/figure/gnuplot.hpp"
-#include "report/figure/layout.hpp"
 #include "report/terminal_tables.hpp"
 #include "report/text/text_layout.hpp"
 
@@ -31,20 +31,20 @@ using transform::ValueWithError;
 using Quantity = std::optional<ValueWithError> FirstPassageResult::*;
 
 // Name of the start other than the stationary law, in keys and tables.
-struct StartName {
+struct PassageStartName {
   std::string key, text;
 };
-StartName start_name(const PassageOptions& options) {
+PassageStartName start_name(const PassageOptions& options) {
   if (!options.start) return {"rest", "rest"};
   return {"start", "(" + *options.start + ")"};
 }
 
-struct NamedQuantity {
+struct NamedPassageQuantity {
   std::string key;   // key in JSON
   std::string name;  // name in tables
   Quantity quantity;
 };
-std::vector<NamedQuantity> passage_quantities(const PassageOptions& options) {
+std::vector<NamedPassageQuantity> passage_quantities(const PassageOptions& options) {
   const auto [key, text] = start_name(options);
   return {{"hazard", "hazard", &FirstPassageResult::hazard},
           {"mean_from_" + key, "mean time from " + text, &FirstPassageResult::mean_from_point},
@@ -139,7 +139,8 @@ FirstPassageResult rice_approximation(const FirstPassageResult& of) {
 }
 
 // Returns the passage by one method.
-FirstPassageResult solve_passage(const problem::Problem& problem, const SelectedMethod& method,
+FirstPassageResult solve_passage(const problem::Problem& problem,
+                                 const SelectedFunctionalMethod& method,
                                  const transform::PassageBarrier& barrier,
                                  const std::vector<double>& times,
                                  const std::optional<transform::PassageStartState>& start) {
@@ -164,9 +165,9 @@ bool is_rice_approximation(const FirstPassageResult& passage) { return passage.i
 
 }  // namespace
 
-const base::Description<PassageOptions>& passage_option_descriptions() {
+const base::OptionsDescription<PassageOptions>& passage_option_descriptions() {
   static const auto description = with_functional_options(
-      base::Description<PassageOptions>("passage ")
+      base::OptionsDescription<PassageOptions>("passage ")
           .add("displacement", &PassageOptions::displacement,
                {"B", "barrier: first passage of y above B"}, base::finite_numbers())
           .add("energy", &PassageOptions::energy,
@@ -194,12 +195,12 @@ PassageStudy study_passage(const problem::Problem& problem, const PassageOptions
   PassageStudy study{problem, options, {}};
   for_each_selected_method(
       problem, options, listener,
-      [&](const SelectedMethod& method) {
+      [&](const SelectedFunctionalMethod& method) {
         study.passages.push_back(solve_passage(problem, method, barrier, times, start));
         // Later methods use the automatic times of the first method.
         if (times.empty()) times = study.passages.back().times;
       },
-      SelectableMethods::with_characteristics);
+      SelectableFunctionalMethods::with_characteristics);
   const auto with_rate = std::ranges::find_if(study.passages, [](const FirstPassageResult& p) {
     return p.rice_rate && p.probability_below;
   });
@@ -409,17 +410,17 @@ report::FigurePanel mean_time_panel(const FirstPassageResult& passage) {
 report::Figure study_figure(const PassageStudy& study) {
   std::vector<report::FigureSeries> series;
   const auto methods =
-      methods_selected_by_list(study.options, SelectableMethods::with_characteristics);
+      methods_selected_by_list(study.options, SelectableFunctionalMethods::with_characteristics);
   for (const FirstPassageResult& p : study.passages) {
     if (p.survival_from_stationary.empty()) continue;
     const auto method = find_method(methods, p.id);
-    report::FigureSeries one = report::make_empty_series(
+    report::FigureSeries one = report::make_empty_figure_series(
         p.id, method == methods.end()
                   ? transform::PlotStyle{.colour = "#D55E00", .dash = "(6,3)", .symbol = ""}
                   : method->identity.plot_style);
     const auto add = [&](double time, const ValueWithError& survival) {
-      one.points.push_back(
-          point_with_interval(time, survival.value, survival.error, p.has_standard_errors));
+      one.points.push_back(figure_point_with_error_interval(time, survival.value, survival.error,
+                                                            p.has_standard_errors));
     };
     add(0, {1, 0});
     for (std::size_t k = 0; k < p.times.size(); ++k) add(p.times[k], p.survival_from_stationary[k]);

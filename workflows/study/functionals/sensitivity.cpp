@@ -10,17 +10,17 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "compare/comparison_axes.hpp"
+#include "compare/comparison_bins.hpp"
 #include "epc/sensitivities.hpp"
 #include "fd_fpk/functionals/sensitivities.hpp"
 #include "mcs/sensitivities.hpp"
 #include "problem/parameter_derivative.hpp"
+#include "report/figure/figure_layout.hpp"
 #include "report/figure/gnuplot.hpp"
-#include "report/figure/layout.hpp"
 #include "report/figure/script_text.hpp"
 #include "report/terminal_tables.hpp"
 #include "report/text/text_layout.hpp"
-#include "results/json.hpp"
+#include "results/json_conversions.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -83,9 +83,9 @@ void require_accurate(double accuracy, MomentSensitivities& s) {
 
 }  // namespace
 
-const base::Description<SensitivityOptions>& sensitivity_option_descriptions() {
+const base::OptionsDescription<SensitivityOptions>& sensitivity_option_descriptions() {
   static const auto description = with_functional_options(
-      base::Description<SensitivityOptions>("sensitivity ")
+      base::OptionsDescription<SensitivityOptions>("sensitivity ")
           .add("parameters", &SensitivityOptions::parameters,
                {"LIST",
                 "keys of parameters, such as system.damping,impulse.rate (default: all numbers of "
@@ -103,10 +103,10 @@ SensitivityStudy study_sensitivity(const problem::Problem& problem,
                                    const methods::ProgressListener& listener) {
   const auto keys = selected_parameters(problem, options);
   SensitivityStudy study{problem, options, {}};
-  const auto axes = compare::undivided_axes(compare::comparison_axes(problem));
+  const auto axes = compare::undivided_comparison_bins(compare::comparison_bins(problem));
   for_each_selected_method(
       problem, options, listener,
-      [&](const SelectedMethod& method) {
+      [&](const SelectedFunctionalMethod& method) {
         std::vector<problem::ParameterDifferenceQuotient> parameters;
         for (const std::string& key : keys) {
           parameters.push_back(problem::parameter_difference_quotient(problem, key,
@@ -122,7 +122,7 @@ SensitivityStudy study_sensitivity(const problem::Problem& problem,
                          : mcs::estimate_sensitivities(problem, *method.mcs, parameters));
         if (method.epc) require_accurate(options.accuracy, study.solutions.back());
       },
-      SelectableMethods::with_closures);
+      SelectableFunctionalMethods::with_closures);
   return study;
 }
 
@@ -281,16 +281,17 @@ report::Figure study_figure(const SensitivityStudy& study) {
   const MomentSensitivities& reference = *with_values;
   for (const std::string& wanted : {std::string("E[y^2]"), std::string("E[y'^2]")}) {
     std::vector<report::FigureSeries> series;
-    const auto methods = methods_selected_by_list(study.options, SelectableMethods::with_closures);
+    const auto methods =
+        methods_selected_by_list(study.options, SelectableFunctionalMethods::with_closures);
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      const SelectedMethod& method = methods[m];
+      const SelectedFunctionalMethod& method = methods[m];
       const auto found =
           std::ranges::find(study.solutions, method.identity.id, &MomentSensitivities::id);
       if (found == study.solutions.end() || !has_derivatives(*found)) continue;
       const auto one =
           std::ranges::find(found->expectations, wanted, &ExpectationDerivatives::expectation);
       report::FigureSeries points =
-          report::make_empty_series(found->id, method.identity.plot_style);
+          report::make_empty_figure_series(found->id, method.identity.plot_style);
       points.dash = "";
       // The marks of a parameter are drawn side by side.
       const double shift =

@@ -9,14 +9,14 @@
 #include <utility>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "fd_fpk/functionals/spectrum.hpp"
 #include "mcs/spectrum.hpp"
 #include "problem/motion_scales.hpp"
-#include "report/figure/layout.hpp"
+#include "report/figure/figure_layout.hpp"
 #include "report/terminal_tables.hpp"
 #include "report/text/text_layout.hpp"
-#include "results/json.hpp"
+#include "results/json_conversions.hpp"
 
 namespace fpkcheck::study {
 namespace {
@@ -106,9 +106,9 @@ std::string variable_symbol(StateVariable variable) {
 
 }  // namespace
 
-const base::Description<SpectrumOptions>& spectrum_option_descriptions() {
+const base::OptionsDescription<SpectrumOptions>& spectrum_option_descriptions() {
   static const auto description = with_functional_options(
-      base::Description<SpectrumOptions>("spectrum ")
+      base::OptionsDescription<SpectrumOptions>("spectrum ")
           .add("of", &SpectrumOptions::variable, {"V", "y (displacement) or ydot (velocity)"})
           .add("frequencies", &SpectrumOptions::frequencies,
                {"FROM:TO:N",
@@ -124,7 +124,7 @@ SpectrumStudy study_spectrum(const problem::Problem& problem, const SpectrumOpti
   const std::vector<double> at = parse_frequencies(problem, options),
                             times = autocovariance_lags(problem);
   SpectrumStudy study{problem, options, {}};
-  for_each_selected_method(problem, options, listener, [&](const SelectedMethod& method) {
+  for_each_selected_method(problem, options, listener, [&](const SelectedFunctionalMethod& method) {
     study.spectra.push_back(
         method.fd ? fd_fpk::solve_spectrum(problem, *method.fd, options.variable, at, times)
                   : mcs::estimate_spectrum(problem, *method.mcs, options.variable, at, times));
@@ -255,12 +255,13 @@ std::vector<report::FigureSeries> series_of_solutions(
     const auto found = std::ranges::find(study.spectra, method.identity.id, &SpectralDensity::id);
     if (found == study.spectra.end() || ((*found).*values).empty()) continue;
     const SpectralDensity& s = *found;
-    report::FigureSeries one = report::make_empty_series(s.id, method.identity.plot_style);
+    report::FigureSeries one = report::make_empty_figure_series(s.id, method.identity.plot_style);
     const std::vector<double>&x = s.*abscissas, &y = s.*values, &error = s.*errors;
     const std::size_t step = s.has_standard_errors ? std::max<std::size_t>(y.size() / 50, 1) : 1;
     one.mark_step = s.has_standard_errors ? 1 : std::max<std::size_t>(y.size() / 25, 1);
     for (std::size_t k = 0; k < y.size(); k += step) {
-      one.points.push_back(point_with_interval(x[k], y[k], error[k], s.has_standard_errors));
+      one.points.push_back(
+          figure_point_with_error_interval(x[k], y[k], error[k], s.has_standard_errors));
     }
     series.push_back(std::move(one));
   }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "compare/comparison_axes.hpp"
+#include "compare/comparison_bins.hpp"
 #include "fd_fpk/solve.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
 #include "mcs/solve.hpp"
@@ -41,7 +41,7 @@ fd_fpk::FiniteVolumeOptions fifth_order_options(const ReferenceOptions& options)
 mcs::SimulationOptions long_simulation_options(const problem::Problem& problem,
                                                const ReferenceOptions& options) {
   constexpr double kTime = 1e7;  // default simulated time, in decay times of the slowest mode
-  const auto axes = compare::comparison_axes(problem);
+  const auto axes = compare::comparison_bins(problem);
   mcs::SimulationOptions simulation;
   simulation.time =
       options.simulation_time.value_or(kTime / problem::motion_scales(problem).slowest_decay_rate);
@@ -63,12 +63,12 @@ double round_to_two_digits(double x) {
   return std::round(x / unit) * unit;
 }
 
-std::vector<ReferencePoint> reference_points(const Solution& seventh, const Solution& fifth,
-                                             StateVariable variable) {
+std::vector<ReferenceDensityPoint> reference_points(const Solution& seventh, const Solution& fifth,
+                                                    StateVariable variable) {
   const bool is_y = variable == StateVariable::y;
   const double deviation = std::sqrt(is_y ? seventh.moments.y2 : seventh.moments.v2);
   const double step = round_to_two_digits(deviation * (is_y ? 0.15 : 0.3));
-  std::vector<ReferencePoint> result;
+  std::vector<ReferenceDensityPoint> result;
   for (int k = is_y ? 1 : -10; k <= (is_y ? 20 : 10); ++k) {
     if (k == 0) continue;
     const double x = k * step;
@@ -103,34 +103,36 @@ std::string significant_digits_text(double x, int significant) {
                        : fmt::format("{:.{}f}", x, std::max(0, significant - 1 - exponent));
 }
 
-void append_moment_table(const CaseReference& r, std::string& text) {
+void append_moment_table(const CaseReferenceValues& r, std::string& text) {
   text +=
       "| | value | difference of the orders | simulation | deviation in standard errors |\n"
       "|---|---|---|---|---|\n";
   for (const auto& [name, symbol, value, simulated, error] : r.moments) {
-    text += fmt::format(
-        "| `{}` | {} | {:.0e} | {:.6g} +- {:.1g} | {:+.1f} |\n", symbol,
-        significant_digits_text(value.value_of_order_seven, value.agreed_digits(kMomentDigits)),
-        std::abs(value.value_of_order_seven - value.value_of_order_five), simulated, error,
-        (simulated - value.value_of_order_seven) / error);
+    text += fmt::format("| `{}` | {} | {:.0e} | {:.6g} +- {:.1g} | {:+.1f} |\n", symbol,
+                        significant_digits_text(value.value_of_order_seven,
+                                                value.agreed_significant_digits(kMomentDigits)),
+                        std::abs(value.value_of_order_seven - value.value_of_order_five), simulated,
+                        error, (simulated - value.value_of_order_seven) / error);
   }
 }
 
-void append_density_table(const CaseReference& r, std::string& text) {
+void append_density_table(const CaseReferenceValues& r, std::string& text) {
   text += "| y | p(y) | y' | p(y') |\n|---|---|---|---|\n";
   for (std::size_t k = 0; k < r.y.size(); ++k) {
     const auto& [y, p] = r.y[k];
     const auto& [v, q] = r.ydot[k];
-    text += fmt::format(
-        "| {:.6g} | {} | {:.6g} | {} |\n", y,
-        significant_digits_text(p.value_of_order_seven, p.agreed_digits(kDensityDigits)), v,
-        significant_digits_text(q.value_of_order_seven, q.agreed_digits(kDensityDigits)));
+    text += fmt::format("| {:.6g} | {} | {:.6g} | {} |\n", y,
+                        significant_digits_text(p.value_of_order_seven,
+                                                p.agreed_significant_digits(kDensityDigits)),
+                        v,
+                        significant_digits_text(q.value_of_order_seven,
+                                                q.agreed_significant_digits(kDensityDigits)));
   }
 }
 
 }  // namespace
 
-int ValueInTwoSchemeOrders::agreed_digits(int most) const {
+int ValueInTwoSchemeOrders::agreed_significant_digits(int most) const {
   const double difference =
       std::abs(value_of_order_seven - value_of_order_five) / std::abs(value_of_order_seven);
   const double digits = std::floor(-std::log10(std::max(difference, 1e-16) * 2)) + 1;
@@ -145,8 +147,9 @@ void validate(const problem::Problem& problem, const ReferenceOptions& options) 
   mcs::make_simulation_plan(problem, long_simulation_options(problem, options));
 }
 
-CaseReference compute_reference(const problem::Problem& problem, const ReferenceOptions& options) {
-  CaseReference result{.problem = problem, .failure = {}, .moments = {}, .y = {}, .ydot = {}};
+CaseReferenceValues compute_reference(const problem::Problem& problem,
+                                      const ReferenceOptions& options) {
+  CaseReferenceValues result{.problem = problem, .failure = {}, .moments = {}, .y = {}, .ydot = {}};
   const auto seventh = fd_fpk::solve_stationary_density(problem, seventh_order_options(options));
   const auto fifth = fd_fpk::solve_stationary_density(problem, fifth_order_options(options));
   for (const auto* run : {&seventh, &fifth}) {
@@ -177,7 +180,7 @@ CaseReference compute_reference(const problem::Problem& problem, const Reference
   return result;
 }
 
-std::string reference_markdown(const std::vector<CaseReference>& references,
+std::string reference_markdown(const std::vector<CaseReferenceValues>& references,
                                const std::string& command) {
   std::string text = fmt::format(R"(# Reference values
 
@@ -213,7 +216,7 @@ The last two columns of each table of moments compare the values with an indepen
   return text;
 }
 
-std::string reference_csv(const std::vector<CaseReference>& references) {
+std::string reference_csv(const std::vector<CaseReferenceValues>& references) {
   std::string text = "case,quantity,abscissa,value,uncertainty\n";
   for (const auto& r : references) {
     const auto add = [&](const std::string& quantity, const std::string& abscissa,

@@ -26,7 +26,7 @@ struct ValueInTwoSchemeOrders {
   double value_of_order_five;
   /// Returns the number of significant digits to which the values of the two schemes agree, at most
   /// `most`.
-  int agreed_digits(int most) const;
+  int agreed_significant_digits(int most) const;
 };
 
 struct ReferenceMoment {
@@ -37,17 +37,17 @@ struct ReferenceMoment {
   double standard_error;
 };
 
-struct ReferencePoint {
+struct ReferenceDensityPoint {
   double abscissa;
   ValueInTwoSchemeOrders density;
 };
 
-struct CaseReference {
+struct CaseReferenceValues {
   problem::Problem problem;
   std::string failure;  ///< reason why there is no reference; empty if the reference exists
   std::vector<ReferenceMoment> moments;
-  std::vector<ReferencePoint> y, ydot;  ///< 20 points each of p(y) and p(y')
-  double energy_residual = 0;           ///< energy residual of the solution of seventh order
+  std::vector<ReferenceDensityPoint> y, ydot;  ///< 20 points each of p(y) and p(y')
+  double energy_residual = 0;                  ///< energy residual of the solution of seventh order
   double simulated_time = 0;
   /// Fraction of the bins of the simulation whose 95 % confidence interval contains the reference
   /// density.
@@ -59,13 +59,14 @@ void validate(const problem::Problem& problem, const ReferenceOptions& options);
 
 /// Solves a problem by a fifth-order scheme, a seventh-order scheme and a simulation. Each
 /// finite-volume scheme uses three grids that are refined towards the origin.
-CaseReference compute_reference(const problem::Problem& problem, const ReferenceOptions& options);
+CaseReferenceValues compute_reference(const problem::Problem& problem,
+                                      const ReferenceOptions& options);
 
 /// The CSV of reference values has the header case,quantity,abscissa,value,uncertainty. The
 /// uncertainty of a reference value is the difference between the seventh-order and the fifth-order
 /// value.
-std::string reference_markdown(const std::vector<CaseReference>& references,
+std::string reference_markdown(const std::vector<CaseReferenceValues>& references,
                                const std::string& command);
-std::string reference_csv(const std::vector<CaseReference>& references);
+std::string reference_csv(const std::vector<CaseReferenceValues>& references);
 
 }  // namespace fpkcheck::study

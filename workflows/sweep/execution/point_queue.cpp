@@ -6,7 +6,7 @@
 #include <set>
 
 #include "base/process/stop_request.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -31,7 +31,7 @@ SweepPointQueue::SweepPointQueue(const SweepPlan& plan, const std::vector<std::s
   unfinished_ = waiting_.size();
   const auto first = evenly_spread_sample(waiting_, kInitialSample);
   std::ranges::reverse(waiting_);
-  sort_if_enough_measured();
+  sort_by_time_if_enough_measured();
   if (!expected_.empty()) return;
   std::erase_if(waiting_,
                 [&](std::size_t p) { return std::ranges::find(first, p) != first.end(); });
@@ -46,25 +46,25 @@ std::optional<std::size_t> SweepPointQueue::take_next_sweep_point() {
   return point;
 }
 
-void SweepPointQueue::record_solve_time(std::size_t point, double seconds) {
+void SweepPointQueue::record_sweep_point_solve_time(std::size_t point, double seconds) {
   const std::lock_guard lock(mutex_);
   measured_.push_back({point, seconds});
   --unfinished_;
   if (expected_.empty()) {
-    sort_if_enough_measured();
+    sort_by_time_if_enough_measured();
   } else {
     remaining_seconds_ = std::max(0.0, remaining_seconds_ - expected_[point]);
   }
 }
 
-void SweepPointQueue::sort_if_enough_measured() {
+void SweepPointQueue::sort_by_time_if_enough_measured() {
   if (measured_.size() < kMinMeasurements) return;
   expected_ = SolveTimeModel(plan_, measured_).all_expected_seconds();
   std::ranges::stable_sort(waiting_, {}, [this](std::size_t p) { return expected_[p]; });
   for (const std::size_t p : waiting_) remaining_seconds_ += expected_[p];
 }
 
-SweepPointQueue::State SweepPointQueue::state() const {
+SweepPointQueue::State SweepPointQueue::point_queue_state() const {
   const std::lock_guard lock(mutex_);
   return {total_ - unfinished_, total_,
           expected_.empty() ? std::nullopt : std::optional(remaining_seconds_)};
@@ -75,19 +75,20 @@ JournaledPointQueue::JournaledPointQueue(const SweepPlan& plan,
                                          const SweepShard& shard, QueueStateListener listener)
     : plan_(plan),
       directory_(directory),
-      journal_name_(shard.journal_name()),
+      journal_name_(shard.shard_journal_name()),
       journal_(directory / journal_name_, plan),
-      queue_(plan, shard.point_numbers(plan.points.size()), journal_.initial_content().points),
+      queue_(plan, shard.shard_point_numbers(plan.points.size()),
+             journal_.initial_journal_content().points),
       listener_(std::move(listener)),
-      points_(journal_.initial_content().points) {}
+      points_(journal_.initial_journal_content().points) {}
 
-std::string JournaledPointQueue::resumption_text() const {
-  const auto& [plan, points, damaged] = journal_.initial_content();
+std::string JournaledPointQueue::sweep_resumption_text() const {
+  const auto& [plan, points, damaged] = journal_.initial_journal_content();
   if (points.empty() && damaged == 0) return "";
-  const auto [done, total, remaining_seconds] = queue_.state();
-  std::string text =
-      fmt::format("resumed from {}: {} of {} points kept, {} to solve",
-                  base::sanitise((directory_ / journal_name_).string()), done, total, total - done);
+  const auto [done, total, remaining_seconds] = queue_.point_queue_state();
+  std::string text = fmt::format("resumed from {}: {} of {} points kept, {} to solve",
+                                 base::to_printable_text((directory_ / journal_name_).string()),
+                                 done, total, total - done);
   // A damaged line of the journal does not show the point to which the line belongs.
   if (damaged == 1) text += ", including the point of 1 damaged line";
   if (damaged > 1) text += fmt::format(", including the points of {} damaged lines", damaged);
@@ -100,13 +101,13 @@ std::optional<std::size_t> JournaledPointQueue::take_next_sweep_point() {
 }
 
 void JournaledPointQueue::store_solved_point(SolvedSweepPoint&& solved) {
-  queue_.record_solve_time(solved.result.point, solved.result.seconds);
+  queue_.record_sweep_point_solve_time(solved.result.point, solved.result.seconds);
   const std::lock_guard lock(mutex_);
   // The marginal densities must exist before the journal lists the point as solved.
   write_marginals(plan_, directory_, solved);
   journal_.append(solved.result);
   points_.push_back(std::move(solved.result));
-  if (listener_) listener_(queue_.state());
+  if (listener_) listener_(queue_.point_queue_state());
 }
 
 }  // namespace fpkcheck::sweep

@@ -27,7 +27,7 @@ namespace {
 
 /// Waits between two polls for messages, since polling takes processor time from the solver
 /// threads. The waiting time delays no solver thread, since each rank has one point in reserve.
-class Backoff {
+class PollingBackoff {
  public:
   void wait() {
     std::this_thread::sleep_for(next_);
@@ -53,9 +53,10 @@ class BackgroundSolver {
  public:
   BackgroundSolver(const SweepPlan& plan, SweepPointSource& points, int threads)
       : points_(points), solving_(std::async(std::launch::async, [&plan, &points, threads] {
-          solve_remaining_points(plan, points, threads);
+          solve_remaining_sweep_points(plan, points, threads);
         })) {}
-  ~BackgroundSolver() { points_.close(); }  // the destructor of solving_ joins the threads
+  // the destructor of solving_ joins the threads
+  ~BackgroundSolver() { points_.stop_assigning_points(); }
   BackgroundSolver(const BackgroundSolver&) = delete;
   BackgroundSolver& operator=(const BackgroundSolver&) = delete;
 
@@ -91,7 +92,7 @@ class AssignedPoints final : public SweepPointSource {
     const std::lock_guard lock(mutex_);
     results_.push_back(std::move(text));
   }
-  void close() override {
+  void stop_assigning_points() override {
     const std::lock_guard lock(mutex_);
     closed_ = true;
     changed_.notify_all();
@@ -128,9 +129,9 @@ std::exception_ptr serve_workers(base::Communicator& ranks, SweepPointSource* po
   std::exception_ptr failure;
   const auto end_after = [&](const std::exception_ptr& why) {
     if (!failure) failure = why;
-    if (points != nullptr) points->close();
+    if (points != nullptr) points->stop_assigning_points();
   };
-  Backoff backoff;
+  PollingBackoff backoff;
   for (int workers = ranks.process_count() - 1;
        workers > 0 || (solver != nullptr && solver->is_running());) {
     const auto message = ranks.receive();
@@ -181,7 +182,7 @@ void run_worker(const SweepPlan& plan, const std::filesystem::path& directory,
   // reserve, so that no thread waits for a reply.
   int open_requests = base::resolve_thread_count(threads) + 1, unsolved = 0;
   for (int k = 0; k < open_requests; ++k) ranks.send(kCoordinator, std::string(1, kRequest));
-  Backoff backoff;
+  PollingBackoff backoff;
   // The solver threads end before the last point only after an exception or a stop request.
   while ((open_requests > 0 || unsolved > 0) && solver.is_running()) {
     bool idle = true;
@@ -205,7 +206,7 @@ void run_worker(const SweepPlan& plan, const std::filesystem::path& directory,
       backoff.reset();
     }
   }
-  points.close();
+  points.stop_assigning_points();
   try {
     solver.join();
   } catch (const std::exception& error) {
@@ -218,7 +219,7 @@ void run_worker(const SweepPlan& plan, const std::filesystem::path& directory,
 
 }  // namespace
 
-void solve_remaining_points(const SweepPlan& plan, SweepPointSource& points, int threads) {
+void solve_remaining_sweep_points(const SweepPlan& plan, SweepPointSource& points, int threads) {
   const int thread_count = base::resolve_thread_count(threads);
   base::parallel_for(static_cast<std::size_t>(thread_count), thread_count, [&](std::size_t) {
     try {
@@ -227,7 +228,7 @@ void solve_remaining_points(const SweepPlan& plan, SweepPointSource& points, int
         points.store_solved_point(solve_sweep_point(plan, *point));
       }
     } catch (...) {
-      points.close();
+      points.stop_assigning_points();
       throw;
     }
   });
@@ -250,7 +251,7 @@ void solve_sweep_plan(const SweepPlan& plan, const std::filesystem::path& direct
   if (ranks != nullptr) {
     run_coordinator(plan, *points, *ranks, threads);
   } else {
-    solve_remaining_points(plan, *points, threads);
+    solve_remaining_sweep_points(plan, *points, threads);
   }
 }
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "base/mpi/communicator.hpp"
-#include "workflows/sweep/execution/forecast.hpp"
-#include "workflows/sweep/execution/shards.hpp"
 #include "workflows/sweep/execution/solve_point.hpp"
-#include "workflows/sweep/plan/plan.hpp"
+#include "workflows/sweep/execution/solve_time_forecast.hpp"
+#include "workflows/sweep/execution/sweep_shards.hpp"
+#include "workflows/sweep/plan/sweep_plan.hpp"
 #include "workflows/sweep/result/journal.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
@@ -41,12 +41,12 @@ class SweepPointQueue {
   /// Removes and returns the next point; empty if no point remains.
   std::optional<std::size_t> take_next_sweep_point();
   /// Records the wall-clock time of a solved point. The caller must record every solved point.
-  void record_solve_time(std::size_t point, double seconds);
+  void record_sweep_point_solve_time(std::size_t point, double seconds);
 
-  State state() const;
+  State point_queue_state() const;
 
  private:
-  void sort_if_enough_measured();
+  void sort_by_time_if_enough_measured();
 
   const SweepPlan& plan_;
   mutable std::mutex mutex_;
@@ -66,11 +66,12 @@ class SweepPointSource {
   virtual ~SweepPointSource() = default;
   /// Removes and returns the next point. If another process assigns the points, the function waits
   /// for the assignment.
-  /// @return the next point; empty if no point remains, after a stop request, and after close()
+  /// @return the next point; empty if no point remains, after a stop request, and after
+  /// stop_assigning_points()
   virtual std::optional<std::size_t> take_next_sweep_point() = 0;
   virtual void store_solved_point(SolvedSweepPoint&& solved) = 0;
   /// Ends the assignment of points: take_next_sweep_point() returns no further point.
-  virtual void close() = 0;
+  virtual void stop_assigning_points() = 0;
 };
 
 /// Listener that receives the state of the queue after each solved point. Several threads call the
@@ -87,12 +88,12 @@ class JournaledPointQueue final : public SweepPointSource {
 
   std::optional<std::size_t> take_next_sweep_point() override;
   void store_solved_point(SolvedSweepPoint&& solved) override;
-  void close() override { closed_ = true; }
+  void stop_assigning_points() override { closed_ = true; }
 
-  SweepPointQueue::State state() const { return queue_.state(); }
+  SweepPointQueue::State point_queue_state() const { return queue_.point_queue_state(); }
   /// Returns a line of text with the numbers of solved points, remaining points and damaged lines
   /// of a resumed sweep. The text is empty for a new journal.
-  std::string resumption_text() const;
+  std::string sweep_resumption_text() const;
   /// Returns the results of all solved points, first the points of earlier runs.
   std::vector<SweepPointResult> solved_points() const { return points_; }
 
@@ -111,7 +112,7 @@ class JournaledPointQueue final : public SweepPointSource {
 /// Solves all points that a source returns. Each thread solves one point at a time. After an
 /// exception on a thread, the points in progress are completed, and the exception is rethrown.
 /// @param threads number of threads; 0 for one thread per processor
-void solve_remaining_points(const SweepPlan& plan, SweepPointSource& points, int threads);
+void solve_remaining_sweep_points(const SweepPlan& plan, SweepPointSource& points, int threads);
 
 /// Solves the remaining points of a plan on the threads of this process or of all MPI ranks. Under
 /// MPI each rank calls solve_sweep_plan(). The first rank, the coordinator, writes the journal,

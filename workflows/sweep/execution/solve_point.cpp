@@ -11,8 +11,8 @@
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
 #include "base/process/stopwatch.hpp"
-#include "compare/assessment.hpp"
 #include "compare/comparison.hpp"
+#include "compare/solution_assessment.hpp"
 #include "methods/residual_error_estimator.hpp"
 #include "methods/run_cases.hpp"
 #include "results/marginals_csv.hpp"
@@ -50,16 +50,16 @@ std::optional<MarginalL1Values> finite_error_estimate(const Solution& solution) 
   return error;
 }
 
-std::vector<BudgetContribution> error_budget_contributions(
+std::vector<ErrorBudgetContribution> error_budget_contributions(
     const Solution& solution, const std::vector<compare::ErrorBudgetRow>& budget) {
-  std::vector<BudgetContribution> shares;
+  std::vector<ErrorBudgetContribution> shares;
   for (const auto& closure : compare::group_budget_by_closure(budget, {&solution, 1})) {
     if (closure.solution != solution.id() || closure.y == nullptr || closure.ydot == nullptr) {
       continue;
     }
     for (const auto& part : closure.y->parts) {
-      const auto* same = closure.ydot->find_budget_part(part.part_name());
-      if (same != nullptr) shares.push_back({part.part_name(), {part.l1, same->l1}});
+      const auto* same = closure.ydot->find_budget_part(part.error_budget_part_name());
+      if (same != nullptr) shares.push_back({part.error_budget_part_name(), {part.l1, same->l1}});
     }
   }
   return shares;
@@ -89,14 +89,14 @@ SolvedSweepPoint solve_and_compare_methods(const SweepPlan& plan, std::size_t po
   SweepPointResult& result = solved_point.result;
   std::optional<problem::Problem> problem;
   try {
-    problem = plan.problem_at(point);
+    problem = plan.problem_at_sweep_point(point);
   } catch (const InputError& error) {
     for (const auto& method : plan.methods) {
       result.methods.push_back(make_method_result(failed_solution(method, error.what())));
     }
     return solved_point;
   }
-  const auto axes = compare::comparison_axes(*problem);
+  const auto axes = compare::comparison_bins(*problem);
   const methods::ResidualErrorEstimator residuals(*problem);
   const bool by_reference = plan.closure_errors == ClosureErrorSource::reference ||
                             !residuals.unsupported_reason().empty();
@@ -146,7 +146,7 @@ void write_marginals(const SweepPlan& plan, const std::filesystem::path& directo
   const base::ProcessExitBlocker in_hand;
   std::filesystem::create_directories(directory / "marginals");
   const std::vector<results::CaseResult> cases{
-      {.problem = plan.problem_at(solved.result.point), .curves = solved.curves}};
+      {.problem = plan.problem_at_sweep_point(solved.result.point), .curves = solved.curves}};
   std::ostringstream text;
   results::write_marginals_csv(text, cases);
   base::write_file_atomically(

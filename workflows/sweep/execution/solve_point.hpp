@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "results/run.hpp"
-#include "workflows/sweep/plan/plan.hpp"
+#include "workflows/sweep/plan/sweep_plan.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {

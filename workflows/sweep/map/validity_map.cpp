@@ -9,7 +9,7 @@
 
 #include "base/input_error.hpp"
 #include "base/text/parse_number.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "problem/equivalent_linearisation.hpp"
 #include "problem/motion_scales.hpp"
 #include "problem/problem_features.hpp"
@@ -34,18 +34,19 @@ using transform::Status;
 constexpr std::array<std::string_view, 6> kCoordinateColumns{
     "impulses_per_decay_time", "damping_ratio", "cubic_share", "restitution", "law", "mean_share"};
 
-struct StatusLetter {
+struct SolutionStatusLetter {
   char letter;
   Status status;
   bool underestimated = false;
 };
-constexpr StatusLetter kStatusLetters[] = {
+constexpr SolutionStatusLetter kStatusLetters[] = {
     {'o', Status::ok},           {'x', Status::ok, true},      {'i', Status::inaccurate},
     {'a', Status::inadmissible}, {'n', Status::not_converged}, {'p', Status::ill_posed},
     {'f', Status::failed},       {'u', Status::not_offered}};
 
 bool is_status_letter(char c) {
-  return std::ranges::find(kStatusLetters, c, &StatusLetter::letter) != std::end(kStatusLetters);
+  return std::ranges::find(kStatusLetters, c, &SolutionStatusLetter::letter) !=
+         std::end(kStatusLetters);
 }
 
 std::vector<std::string_view> split_at(std::string_view text, char separator) {
@@ -77,7 +78,8 @@ std::optional<ValidityMapResult> parse_result_cell(std::string_view cell) {
   const auto at =
       static_cast<std::size_t>(std::ranges::find_if(cell, is_status_letter) - cell.begin());
   if (at == cell.size()) refuse(cell);
-  const auto* const entry = std::ranges::find(kStatusLetters, cell[at], &StatusLetter::letter);
+  const auto* const entry =
+      std::ranges::find(kStatusLetters, cell[at], &SolutionStatusLetter::letter);
   ValidityMapResult answer{.status = entry->status,
                            .l1 = {},
                            .underestimated = entry->underestimated,

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "report/text/text_layout.hpp"
-#include "results/json.hpp"
+#include "results/json_conversions.hpp"
 #include "results/run.hpp"
 
 namespace fpkcheck::sweep {

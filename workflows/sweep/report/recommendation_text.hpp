@@ -5,7 +5,7 @@
 
 #include "methods/registry.hpp"
 #include "report/text/text_layout.hpp"
-#include "workflows/sweep/map/advice.hpp"
+#include "workflows/sweep/map/method_advice.hpp"
 
 namespace fpkcheck::sweep {
 

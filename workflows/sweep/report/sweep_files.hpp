@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "report/figure/options.hpp"
+#include "report/figure/figure_options.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {

@@ -10,14 +10,14 @@
 #include "base/files/input_file.hpp"
 #include "base/input_error.hpp"
 #include "base/process/stop_request.hpp"
-#include "base/text/sanitise.hpp"
+#include "base/text/printable_text.hpp"
 #include "results/saved_run.hpp"
 #include "workflows/sweep/result/sweep_json.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
 
-using base::sanitise;
+using base::to_printable_text;
 using results::Json;
 
 constexpr int kJournalSchema = 1;
@@ -49,7 +49,7 @@ Json journal_header_json(const Json& plan) {
 
 Json parse_header_plan(const std::string& line, const std::filesystem::path& file) {
   const auto text = verify_and_strip_checksum(line);
-  const std::string name = sanitise(file.string());
+  const std::string name = to_printable_text(file.string());
   if (!text) {
     throw InputError(fmt::format(
         "{} is no journal of a sweep, or damaged in its first line (remove it, or use another "
@@ -63,7 +63,7 @@ Json parse_header_plan(const std::string& line, const std::filesystem::path& fil
     throw InputError(fmt::format(
         "{} was begun by another version of the program (finish it with that version, or use "
         "another directory): {} is {}, here {}",
-        name, part, json.contains(part) ? sanitise(json.at(part).dump()) : "missing",
+        name, part, json.contains(part) ? to_printable_text(json.at(part).dump()) : "missing",
         expected.at(part).dump()));
   }
   if (!json.contains("plan")) throw InputError(fmt::format("{}: no plan (remove it)", name));
@@ -71,11 +71,11 @@ Json parse_header_plan(const std::string& line, const std::filesystem::path& fil
 }
 
 void require_same_plan(const Json& before, const Json& now, const std::filesystem::path& file) {
-  const std::string difference = first_plan_difference(before, now);
+  const std::string difference = first_sweep_plan_difference(before, now);
   if (difference.empty()) return;
   throw InputError(
       fmt::format("{} was begun with another plan: {} (use another directory, or remove it)",
-                  sanitise(file.string()), difference));
+                  to_printable_text(file.string()), difference));
 }
 
 std::vector<std::string> split_into_lines(const std::string& text) {
@@ -95,7 +95,7 @@ SweepJournalContent parse_journal(const std::vector<std::string>& lines,
       ++content.damaged;
       continue;
     }
-    const std::string where = fmt::format("{}:{}", sanitise(file.string()), k + 1);
+    const std::string where = fmt::format("{}:{}", to_printable_text(file.string()), k + 1);
     try {
       SweepPointResult result = point_result_from_json(parse_journal_json(*text, where));
       if (seen.insert(result.point).second) content.points.push_back(std::move(result));
@@ -113,17 +113,18 @@ SweepJournalContent read_sweep_journal(const std::filesystem::path& file) {
   const auto text = base::read_input_file(file, kMaxBytes);
   if (!text) {
     throw InputError(fmt::format("{} is not a readable file (a sweep writes it into its directory)",
-                                 sanitise(file.string())));
+                                 to_printable_text(file.string())));
   }
   if (text->empty()) {
-    throw InputError(fmt::format("{} is empty (nothing was solved yet)", sanitise(file.string())));
+    throw InputError(
+        fmt::format("{} is empty (nothing was solved yet)", to_printable_text(file.string())));
   }
   return parse_journal(split_into_lines(*text), file);
 }
 
 SweepJournalContent read_sweep_journal(const std::filesystem::path& file, const SweepPlan& plan) {
   auto content = read_sweep_journal(file);
-  require_same_plan(parse_journal_json(content.plan, sanitise(file.string())),
+  require_same_plan(parse_journal_json(content.plan, to_printable_text(file.string())),
                     sweep_plan_json(plan), file);
   return content;
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/files/append_only_log.hpp"
-#include "workflows/sweep/plan/plan.hpp"
+#include "workflows/sweep/plan/sweep_plan.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {
@@ -38,7 +38,7 @@ class SweepJournal {
   SweepJournal(const std::filesystem::path& file, const SweepPlan& plan);
 
   /// Returns the content of the journal at the time of opening.
-  const SweepJournalContent& initial_content() const { return initial_content_; }
+  const SweepJournalContent& initial_journal_content() const { return initial_content_; }
 
   /// Appends the result of a point as one complete line, or leaves the file unchanged. The file is
   /// flushed if the last flush was more than 1 s ago. The function is not thread-safe.

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/input_error.hpp"
-#include "base/text/sanitise.hpp"
-#include "results/json.hpp"
+#include "base/text/printable_text.hpp"
+#include "results/json_conversions.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {
@@ -130,7 +130,7 @@ Json sweep_plan_json(const SweepPlan& plan) {
   return json;
 }
 
-SweepPlan plan_from_json(const Json& json, const methods::SolverRegistry& registry) {
+SweepPlan sweep_plan_from_json(const Json& json, const methods::SolverRegistry& registry) {
   SweepPlan plan{.base = results::problem_from_json(json.at("case")),
                  .axes = {},
                  .design = enum_from_json<SweepPlanDesign>(json.at("design")),
@@ -141,20 +141,20 @@ SweepPlan plan_from_json(const Json& json, const methods::SolverRegistry& regist
   for (const auto& method : json.at("methods")) {
     plan.methods.push_back(method_from_json(method, registry));
   }
-  plan.points = make_plan_points(plan.axes, plan.design, plan.sobol_points);
+  plan.points = make_sweep_plan_points(plan.axes, plan.design, plan.sobol_points);
   return plan;
 }
 
-std::string first_plan_difference(const Json& before, const Json& now) {
+std::string first_sweep_plan_difference(const Json& before, const Json& now) {
   const Json patch = Json::diff(before, now);
   if (patch.empty()) return "";
   const Json& first = patch.front();
   const auto place = first.at("path").get<std::string>();
   const Json::json_pointer path(place);
   return fmt::format(
-      "{}: {} then, {} now", base::sanitise(place),
-      before.contains(path) ? base::sanitise(before.at(path).dump()) : "nothing",
-      first.contains("value") ? base::sanitise(first.at("value").dump()) : "nothing");
+      "{}: {} then, {} now", base::to_printable_text(place),
+      before.contains(path) ? base::to_printable_text(before.at(path).dump()) : "nothing",
+      first.contains("value") ? base::to_printable_text(first.at("value").dump()) : "nothing");
 }
 
 Json point_result_json(const SweepPointResult& result) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "methods/registry.hpp"
-#include "results/json.hpp"
-#include "workflows/sweep/plan/plan.hpp"
+#include "results/json_conversions.hpp"
+#include "workflows/sweep/plan/sweep_plan.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
 namespace fpkcheck::sweep {
@@ -13,11 +13,11 @@ results::Json sweep_plan_json(const SweepPlan& plan);
 
 /// Reads a plan from the JSON of sweep_plan_json().
 /// @throws nlohmann::json::exception, InputError
-SweepPlan plan_from_json(const results::Json& json, const methods::SolverRegistry& registry);
+SweepPlan sweep_plan_from_json(const results::Json& json, const methods::SolverRegistry& registry);
 
 /// Returns the first difference between two plans as text, e.g. "/vary/0/to: 5.0 then, 6.0 now".
 /// The text is empty for equal plans.
-std::string first_plan_difference(const results::Json& before, const results::Json& now);
+std::string first_sweep_plan_difference(const results::Json& before, const results::Json& now);
 
 /// Returns the result of a point as JSON with short keys, since a journal has many lines.
 results::Json point_result_json(const SweepPointResult& result);

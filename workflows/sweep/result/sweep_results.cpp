@@ -20,7 +20,7 @@ namespace fpkcheck::sweep {
 namespace {
 
 /// A number of a method's result, which is a column of sweep.csv and a variable of sweep.nc.
-struct ResultColumn {
+struct SweepResultColumn {
   std::string header;    ///< header of the column of sweep.csv
   std::string variable;  ///< name of the variable of sweep.nc
   std::string meaning;   ///< description of the variable of sweep.nc
@@ -28,8 +28,8 @@ struct ResultColumn {
   std::function<std::optional<double>(const SweepMethodResult&)> number;
 };
 
-std::vector<ResultColumn> moment_columns() {
-  std::vector<ResultColumn> columns;
+std::vector<SweepResultColumn> moment_columns() {
+  std::vector<SweepResultColumn> columns;
   for (const auto& moment : transform::kMoments) {
     columns.push_back({moment.name, moment.name, moment.symbol,
                        [member = moment.moment](const SweepMethodResult& one) {
@@ -40,11 +40,11 @@ std::vector<ResultColumn> moment_columns() {
 }
 
 // @param header, variable names in which "{}" stands for y or ydot
-std::vector<ResultColumn> marginal_columns(
+std::vector<SweepResultColumn> marginal_columns(
     const std::string& header, const std::string& variable, const std::string& meaning,
     const std::function<std::optional<MarginalL1Values>(const SweepMethodResult&)>& pair) {
   const auto column = [&](const char* name, const char* symbol, double MarginalL1Values::*member) {
-    return ResultColumn{
+    return SweepResultColumn{
         fmt::format(fmt::runtime(header), name), fmt::format(fmt::runtime(variable), name),
         fmt::format("{} of {}", meaning, symbol), [pair, member](const SweepMethodResult& one) {
           const auto found = pair(one);
@@ -55,12 +55,12 @@ std::vector<ResultColumn> marginal_columns(
           column("ydot", "p(y')", &MarginalL1Values::ydot)};
 }
 
-std::vector<ResultColumn> distance_columns() {
+std::vector<SweepResultColumn> distance_columns() {
   return marginal_columns("l1_{}", "l1_{}", "L1 distance to the reference",
                           [](const SweepMethodResult& one) { return one.l1; });
 }
 
-std::vector<ResultColumn> error_columns(const SweepResults& results) {
+std::vector<SweepResultColumn> error_columns(const SweepResults& results) {
   auto columns = marginal_columns("error_{}", "error_{}", "L1 error estimate",
                                   [](const SweepMethodResult& one) { return one.error; });
   for (const auto& part : results.error_budget_part_names()) {
@@ -78,7 +78,7 @@ std::vector<ResultColumn> error_columns(const SweepResults& results) {
                          fmt::format("contribution of \"{}\" to the L1 distance", part),
                          [part](const SweepMethodResult& one) -> std::optional<MarginalL1Values> {
                            const auto share =
-                               std::ranges::find(one.budget, part, &BudgetContribution::part);
+                               std::ranges::find(one.budget, part, &ErrorBudgetContribution::part);
                            if (share == one.budget.end()) return std::nullopt;
                            return share->l1;
                          }),
@@ -96,7 +96,7 @@ std::string csv_value_cell(const base::Value& value) {
 // The cells of the dimensionless groups are empty if the values of the point are inconsistent.
 std::string dimensionless_groups_cells(const SweepPlan& plan, std::size_t point) {
   try {
-    const DimensionlessGroups groups = dimensionless_groups(plan.problem_at(point));
+    const DimensionlessGroups groups = dimensionless_groups(plan.problem_at_sweep_point(point));
     return fmt::format("{:.4g},{:.4g},{:.4g}", groups.impulses_per_decay_time, groups.damping_ratio,
                        groups.cubic_share);
   } catch (const InputError&) {
@@ -131,7 +131,7 @@ class SweepNetcdfFile {
   }
 
   /// @return id of the variable
-  int write_variable(const ResultColumn& column, double missing_value = kMissing) {
+  int write_variable(const SweepResultColumn& column, double missing_value = kMissing) {
     const std::size_t methods = results_.plan.methods.size();
     std::vector<double> values(results_.plan.points.size() * methods, missing_value);
     for (const auto& point : results_.points) {
@@ -143,7 +143,7 @@ class SweepNetcdfFile {
     dimensions.push_back(solution_);
     return file_.write_compressed<double>(column.variable, dimensions, column.meaning, values);
   }
-  void write_variables(const std::vector<ResultColumn>& columns) {
+  void write_variables(const std::vector<SweepResultColumn>& columns) {
     for (const auto& column : columns) write_variable(column);
   }
 
@@ -204,7 +204,7 @@ std::string sweep_csv_text(const SweepResults& results) {
   const auto moments = moment_columns(), distances = distance_columns();
   const auto errors = error_columns(results);
   std::vector<std::string> header;
-  const auto add_headers = [&](const std::vector<ResultColumn>& columns) {
+  const auto add_headers = [&](const std::vector<SweepResultColumn>& columns) {
     for (const auto& column : columns) header.push_back(column.header);
   };
   for (const auto& axis : plan.axes) header.push_back(axis.key);
@@ -224,7 +224,7 @@ std::string sweep_csv_text(const SweepResults& results) {
       std::vector<std::string> cells{plan.methods[m].id(), std::string(name(method.status)),
                                      results::quote_csv_field(method.reason)};
       // Numbers have ten digits, which exceed the accuracy of every solver and keep the file small.
-      const auto add_cells = [&](const std::vector<ResultColumn>& columns) {
+      const auto add_cells = [&](const std::vector<SweepResultColumn>& columns) {
         for (const auto& column : columns) {
           const auto number = column.number(method);
           cells.push_back(number && std::isfinite(*number) ? fmt::format("{:.10g}", *number) : "");
@@ -251,7 +251,7 @@ std::string sweep_netcdf_bytes(const SweepResults& results, const std::string& c
   results::write_problem_attributes(file, results.plan.base);
 
   SweepNetcdfFile sweep(file, results);
-  const ResultColumn statuses{
+  const SweepResultColumn statuses{
       {}, "status", "status of the solution", [](const SweepMethodResult& one) {
         return static_cast<double>(one.status);
       }};

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "transform/solution.hpp"
-#include "workflows/sweep/plan/plan.hpp"
+#include "workflows/sweep/plan/sweep_plan.hpp"
 
 namespace fpkcheck::sweep {
 
@@ -18,11 +18,11 @@ struct MarginalL1Values {
 };
 
 /// One part of an error budget (compare/error_budget.hpp) and its L1 distance.
-struct BudgetContribution {
-  std::string part;  ///< name of the part (compare::ErrorBudgetPart::part_name)
+struct ErrorBudgetContribution {
+  std::string part;  ///< name of the part (compare::ErrorBudgetPart::error_budget_part_name)
   MarginalL1Values l1;
 
-  bool operator==(const BudgetContribution&) const = default;
+  bool operator==(const ErrorBudgetContribution&) const = default;
 };
 
 struct SweepMethodResult {
@@ -32,7 +32,7 @@ struct SweepMethodResult {
   std::optional<transform::Moments> moments = {};
   std::optional<MarginalL1Values> l1 = {};     ///< L1 distances from the reference of the point
   std::optional<MarginalL1Values> error = {};  ///< L1 error estimates, or expected sampling errors
-  std::vector<BudgetContribution> budget = {};
+  std::vector<ErrorBudgetContribution> budget = {};
 };
 
 struct SweepPointResult {

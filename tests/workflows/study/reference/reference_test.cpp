@@ -11,13 +11,13 @@ namespace fpkcheck::study {
 namespace {
 
 TEST(Reference, AgreedDigitsEndAtTheDifference) {
-  EXPECT_EQ((ValueInTwoSchemeOrders{1.2345678, 1.2345679}.agreed_digits(7)), 7);
-  EXPECT_EQ((ValueInTwoSchemeOrders{1.2345, 1.2346}.agreed_digits(7)), 4);
-  EXPECT_EQ((ValueInTwoSchemeOrders{1.2345, 1.2346}.agreed_digits(3)), 3);
-  EXPECT_EQ((ValueInTwoSchemeOrders{1.0, 2.0}.agreed_digits(7)), 1);
-  EXPECT_EQ((ValueInTwoSchemeOrders{0.5, 0.5}.agreed_digits(5)), 5);
-  EXPECT_EQ((ValueInTwoSchemeOrders{0.0, 1e-9}.agreed_digits(5)), 1);
-  EXPECT_EQ((ValueInTwoSchemeOrders{0.0, 0.0}.agreed_digits(5)), 1);
+  EXPECT_EQ((ValueInTwoSchemeOrders{1.2345678, 1.2345679}.agreed_significant_digits(7)), 7);
+  EXPECT_EQ((ValueInTwoSchemeOrders{1.2345, 1.2346}.agreed_significant_digits(7)), 4);
+  EXPECT_EQ((ValueInTwoSchemeOrders{1.2345, 1.2346}.agreed_significant_digits(3)), 3);
+  EXPECT_EQ((ValueInTwoSchemeOrders{1.0, 2.0}.agreed_significant_digits(7)), 1);
+  EXPECT_EQ((ValueInTwoSchemeOrders{0.5, 0.5}.agreed_significant_digits(5)), 5);
+  EXPECT_EQ((ValueInTwoSchemeOrders{0.0, 1e-9}.agreed_significant_digits(5)), 1);
+  EXPECT_EQ((ValueInTwoSchemeOrders{0.0, 0.0}.agreed_significant_digits(5)), 1);
 }
 
 TEST(Reference, AgreesWithTheExactSolution) {
@@ -26,7 +26,7 @@ TEST(Reference, AgreesWithTheExactSolution) {
   ASSERT_EQ(r.failure, "");
   const double y2 = exact::linear_cumulant(p, 2, 0);
   EXPECT_NEAR(r.moments.at(1).value.value_of_order_seven, y2, 1e-6 * y2);
-  EXPECT_GE(r.moments.at(1).value.agreed_digits(7), 5);
+  EXPECT_GE(r.moments.at(1).value.agreed_significant_digits(7), 5);
   const exact::LinearDensity exact(p);
   ASSERT_EQ(r.y.size(), 20u);
   ASSERT_EQ(r.ydot.size(), 20u);
@@ -41,7 +41,7 @@ TEST(Reference, AgreesWithTheExactSolution) {
 }
 
 TEST(ReferenceText, HasTheAgreedDigitsAlone) {
-  CaseReference r{
+  CaseReferenceValues r{
       .problem = tests::paper_case(1), .failure = {}, .moments = {}, .y = {}, .ydot = {}};
   r.moments.push_back({"y2", "E[y^2]", {0.12345678, 0.12345679}, 0.1234, 1e-4});
   r.moments.push_back({"v4", "E[y'^4]", {55.26042, 55.26082}, 55.3, 0.05});
@@ -57,11 +57,11 @@ TEST(ReferenceText, HasTheAgreedDigitsAlone) {
 }
 
 TEST(ReferenceText, HasTheReasonWithoutAReference) {
-  CaseReference r{.problem = tests::paper_case(1),
-                  .failure = "the box is too small",
-                  .moments = {},
-                  .y = {},
-                  .ydot = {}};
+  CaseReferenceValues r{.problem = tests::paper_case(1),
+                        .failure = "the box is too small",
+                        .moments = {},
+                        .y = {},
+                        .ydot = {}};
   const std::string text = reference_markdown({r}, "fpkcheck reference");
   EXPECT_NE(text.find("## test\n\nc = 0.1, k = 1, mu = 0.1, r = 0.98; gaussian impulses"),
             std::string::npos)

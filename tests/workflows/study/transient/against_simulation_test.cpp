@@ -9,7 +9,7 @@
 #include "mcs/scalar_trajectory.hpp"
 #include "mcs/simulation/initial_state_sampler.hpp"
 #include "paper_cases.hpp"
-#include "transform/density.hpp"
+#include "transform/joint_density.hpp"
 
 namespace fpkcheck {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "paper_cases.hpp"
-#include "workflows/study/transient/report.hpp"
+#include "workflows/study/transient/report_over_time.hpp"
 
 namespace fpkcheck::tests {
 

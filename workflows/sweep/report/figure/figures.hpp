@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "report/figure/drawing.hpp"
 #include "report/figure/figure.hpp"
-#include "report/figure/options.hpp"
+#include "report/figure/figure_options.hpp"
+#include "report/figure/run_gnuplot.hpp"
 #include "workflows/sweep/report/figure/sweep_view.hpp"
 #include "workflows/sweep/result/sweep_results.hpp"
 
@@ -18,23 +18,23 @@ namespace fpkcheck::sweep {
 /// the error estimate of the reference. Each value of a second, categorical key has a row of
 /// panels.
 /// @param view results with at least one method to compare
-report::Figure distance_curves_figure(const SweepView& view);
+report::Figure distance_curves_figure(const SweepResultsView& view);
 
 /// Draws E[y^2] and E[y'^2] as functions of a varied key. Open marks show solutions that are not
 /// `ok`. Only `ok` solutions determine the axis ranges.
-report::Figure moment_curves_figure(const SweepView& view);
+report::Figure moment_curves_figure(const SweepResultsView& view);
 
 /// Draws a map over the two varied keys for each method. The colour shows the larger of the L1
 /// distances of p(y) and p(y') from the reference of each point. For the design `product` with
 /// numerical keys, contours show L1 distances of 1 % and 5 %. Marks show statuses other than `ok`.
 /// For other designs each point is a coloured disc.
 /// @param view results with two varied keys and at least one method to compare
-report::Figure distance_map_figure(const SweepView& view);
+report::Figure distance_map_figure(const SweepResultsView& view);
 
 /// Draws a scatter plot against each varied key, for plans with many keys. The ordinate is the
 /// larger of the L1 distances of p(y) and p(y') from the reference of each point. Open marks show
 /// solutions that are not ok. A line shows medians of the `ok` solutions over bins of the key.
-report::Figure distance_scatter_figure(const SweepView& view);
+report::Figure distance_scatter_figure(const SweepResultsView& view);
 
 /// Returns the logarithmic axis of the L1 distances. The axis has at most eight decades and an
 /// upper end near 20, since solutions that are not `ok` may have arbitrary distances.
@@ -44,7 +44,7 @@ report::FigureAxis l1_distance_axis(const std::string& label,
                                     std::size_t rows_above = 0);
 /// Returns the ordinate of a row of marks above the L1 distances in a figure.
 /// @param row index of the row, counted from the top
-double mark_row_ordinate(const report::FigureAxis& axis, std::size_t row);
+double status_mark_row_ordinate(const report::FigureAxis& axis, std::size_t row);
 
 struct SweepFigure : report::PictureGnuplotScript {
   std::string caption;  ///< description of the figure in sentences

@@ -82,10 +82,10 @@ std::string SweepParameterAxis::parameter_value_text(const Value& value) {
 }
 
 double SweepParameterAxis::coordinate(const Value& value) const {
-  return is_words_ ? static_cast<double>(cell_index(value)) : std::get<double>(value);
+  return is_words_ ? static_cast<double>(map_cell_index(value)) : std::get<double>(value);
 }
 
-double SweepParameterAxis::relative_axis_coordinate(const Value& value) const {
+double SweepParameterAxis::relative_figure_coordinate(const Value& value) const {
   const double from = coordinate(values_.front()), to = coordinate(values_.back()),
                here = coordinate(value);
   if (from == to) return 0;
@@ -109,7 +109,7 @@ report::FigureAxis SweepParameterAxis::figure_axis() const {
   return {label_, low - room, high + room};
 }
 
-std::size_t SweepParameterAxis::cell_index(const Value& value) const {
+std::size_t SweepParameterAxis::map_cell_index(const Value& value) const {
   return static_cast<std::size_t>(std::ranges::find(values_, value) - values_.begin());
 }
 
@@ -120,7 +120,7 @@ report::FigureAxis SweepParameterAxis::figure_axis_of_cells() const {
     const double low = std::get<double>(values_.front()), high = std::get<double>(values_.back());
     const auto numbers = is_logarithmic_ ? round_tics_by_decades(low, high) : round_tics(low, high);
     for (const double number : numbers) {
-      axis.tics.push_back({fmt::format("{:g}", number), relative_axis_coordinate(number) * last});
+      axis.tics.push_back({fmt::format("{:g}", number), relative_figure_coordinate(number) * last});
     }
   } else {
     const std::size_t step = is_words_ ? 1 : (values_.size() + kMaxTics - 1) / kMaxTics;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "report/figure/figure.hpp"
-#include "workflows/sweep/plan/plan.hpp"
+#include "workflows/sweep/plan/sweep_plan.hpp"
 
 namespace fpkcheck::sweep {
 
@@ -28,11 +28,11 @@ class SweepParameterAxis {
   double coordinate(const base::Value& value) const;
   /// Returns the relative position of a value on the axis: 0 for the first value, 1 for the last
   /// value.
-  double relative_axis_coordinate(const base::Value& value) const;
+  double relative_figure_coordinate(const base::Value& value) const;
   report::FigureAxis figure_axis() const;
 
   /// Returns the index of the cell of a value in a map with cells of equal width.
-  std::size_t cell_index(const base::Value& value) const;
+  std::size_t map_cell_index(const base::Value& value) const;
   /// Returns the axis of a map with cells of equal width.
   report::FigureAxis figure_axis_of_cells() const;
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "report/figure/drawing.hpp"
+#include "report/figure/run_gnuplot.hpp"
 #include "workflows/sweep/report/figure/key_axis.hpp"
 
 namespace fpkcheck::sweep {
@@ -13,7 +13,7 @@ constexpr const char* kMoments = "sweep-moments";
 constexpr const char* kMap = "sweep-map";
 constexpr const char* kScatter = "sweep-keys";
 
-std::vector<SweepFigure> curve_figures(const SweepView& view, report::FigureWidth width) {
+std::vector<SweepFigure> curve_figures(const SweepResultsView& view, report::FigureWidth width) {
   std::vector<SweepFigure> pictures;
   if (view.has_distances()) {
     pictures.push_back(
@@ -31,7 +31,7 @@ std::vector<SweepFigure> curve_figures(const SweepView& view, report::FigureWidt
   return pictures;
 }
 
-SweepFigure map_figure(const SweepView& view, report::FigureWidth width) {
+SweepFigure map_figure(const SweepResultsView& view, report::FigureWidth width) {
   std::string caption =
       "The larger of the L1 distances of p(y) and p(y') to the reference of each point, by "
       "method, from 1e-4 (light) to 1. Marks show the statuses that are not ok.";
@@ -46,7 +46,7 @@ SweepFigure map_figure(const SweepView& view, report::FigureWidth width) {
 std::vector<SweepFigure> sweep_figures(const SweepResults& results, report::FigureWidth width) {
   const SweepPlan& plan = results.plan;
   if (results.points.empty()) return {};
-  const SweepView view(results);
+  const SweepResultsView view(results);
   const bool one_is_words =
       plan.axes.size() == 2 && plan.design == SweepPlanDesign::product &&
       SweepParameterAxis(plan, 0).is_categorical() != SweepParameterAxis(plan, 1).is_categorical();

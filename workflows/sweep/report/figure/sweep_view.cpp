@@ -31,32 +31,32 @@ std::vector<std::string> fixed_parameter_list(const SweepPlan& plan) {
 
 }  // namespace
 
-SweepView::SweepView(const SweepResults& results)
+SweepResultsView::SweepResultsView(const SweepResults& results)
     : results_(results), by_number_(results.plan.points.size(), nullptr) {
   for (const auto& point : results.points) by_number_[point.point] = &point;
 }
 
-const SweepMethodResult* SweepView::method_result(std::size_t point_number,
-                                                  std::size_t method_index) const {
+const SweepMethodResult* SweepResultsView::method_result(std::size_t point_number,
+                                                         std::size_t method_index) const {
   const SweepPointResult* found = point_result(point_number);
   return found == nullptr ? nullptr : &found->methods[method_index];
 }
 
-bool SweepView::is_reference(std::size_t point_number, std::size_t method_index) const {
+bool SweepResultsView::is_reference(std::size_t point_number, std::size_t method_index) const {
   const SweepPointResult* found = point_result(point_number);
-  return found != nullptr && found->reference == plan().methods[method_index].id();
+  return found != nullptr && found->reference == sweep_plan().methods[method_index].id();
 }
 
-std::optional<MarginalL1Values> SweepView::reference_error(std::size_t point_number) const {
-  for (std::size_t method_index = 0; method_index < plan().methods.size(); ++method_index) {
+std::optional<MarginalL1Values> SweepResultsView::reference_error(std::size_t point_number) const {
+  for (std::size_t method_index = 0; method_index < sweep_plan().methods.size(); ++method_index) {
     if (is_reference(point_number, method_index))
       return method_result(point_number, method_index)->error;
   }
   return std::nullopt;
 }
 
-std::optional<double> SweepView::larger_marginal_l1(std::size_t point_number,
-                                                    std::size_t method_index) const {
+std::optional<double> SweepResultsView::larger_marginal_l1(std::size_t point_number,
+                                                           std::size_t method_index) const {
   const SweepMethodResult* found = method_result(point_number, method_index);
   if (found == nullptr || !found->l1 || is_reference(point_number, method_index))
     return std::nullopt;
@@ -65,7 +65,7 @@ std::optional<double> SweepView::larger_marginal_l1(std::size_t point_number,
   return l1;
 }
 
-bool SweepView::has_distances() const {
+bool SweepResultsView::has_distances() const {
   for (const auto& point : results_.points) {
     for (std::size_t method_index = 0; method_index < point.methods.size(); ++method_index) {
       if (larger_marginal_l1(point.point, method_index)) return true;
@@ -74,7 +74,7 @@ bool SweepView::has_distances() const {
   return false;
 }
 
-std::string SweepView::common_reference_id() const {
+std::string SweepResultsView::common_reference_id() const {
   std::string only;
   for (const auto& point : results_.points) {
     if (point.reference.empty()) continue;
@@ -84,18 +84,19 @@ std::string SweepView::common_reference_id() const {
   return only;
 }
 
-std::vector<std::size_t> SweepView::compared_method_indices() const {
+std::vector<std::size_t> SweepResultsView::compared_method_indices() const {
   const std::string always_reference = common_reference_id();
   std::vector<std::size_t> compared;
-  for (std::size_t method_index = 0; method_index < plan().methods.size(); ++method_index) {
-    if (plan().methods[method_index].id() != always_reference) compared.push_back(method_index);
+  for (std::size_t method_index = 0; method_index < sweep_plan().methods.size(); ++method_index) {
+    if (sweep_plan().methods[method_index].id() != always_reference)
+      compared.push_back(method_index);
   }
   return compared;
 }
 
-std::vector<std::string> SweepView::figure_title_parts() const {
-  std::vector<std::string> parts{plan().base.name + ": "};
-  for (const auto& parameter : fixed_parameter_list(plan())) {
+std::vector<std::string> SweepResultsView::figure_title_parts() const {
+  std::vector<std::string> parts{sweep_plan().base.name + ": "};
+  for (const auto& parameter : fixed_parameter_list(sweep_plan())) {
     if (parts.size() > 1) parts.back() += ", ";
     parts.push_back(parameter);
   }

@@ -8,14 +8,14 @@
 
 namespace fpkcheck::sweep {
 
-/// View of the results of a sweep with queries for figures. A SweepView keeps a reference to the
-/// results.
-class SweepView {
+/// View of the results of a sweep with queries for figures. A SweepResultsView keeps a reference to
+/// the results.
+class SweepResultsView {
  public:
-  explicit SweepView(const SweepResults& results);
+  explicit SweepResultsView(const SweepResults& results);
 
   const SweepResults& results() const { return results_; }
-  const SweepPlan& plan() const { return results_.plan; }
+  const SweepPlan& sweep_plan() const { return results_.plan; }
 
   /// Returns the result of a point; a null pointer if the point was not solved.
   const SweepPointResult* point_result(std::size_t point_number) const {

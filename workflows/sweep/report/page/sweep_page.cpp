@@ -9,10 +9,10 @@
 #include <span>
 #include <tuple>
 
-#include "report/page/html.hpp"
+#include "report/page/html_elements.hpp"
 #include "workflows/sweep/report/figure/key_axis.hpp"
 #include "workflows/sweep/report/figure/sweep_view.hpp"
-#include "workflows/sweep/report/tables.hpp"
+#include "workflows/sweep/report/sweep_tables.hpp"
 
 namespace fpkcheck::sweep {
 namespace {
@@ -34,7 +34,7 @@ std::string count_with_noun(std::size_t count, const char* noun) {
 }
 
 std::string axis_sentence(const SweepAxis& axis) {
-  if (axis.spacing == SweepAxisSpacing::listed) return axis.definition_text();
+  if (axis.spacing == SweepAxisSpacing::listed) return axis.axis_definition_text();
   const char* how = axis.spacing == SweepAxisSpacing::logarithmic ? " on a logarithmic scale" : "";
   return axis.values.empty()
              ? fmt::format("{} in {:g} .. {:g}{}", axis.key, axis.from, axis.to, how)
@@ -102,7 +102,7 @@ std::string point_values_text(const SweepPlan& plan, std::size_t point) {
 
 std::string status_reasons_html(const SweepResults& results) {
   constexpr std::size_t kMaxReasons = 40;
-  const auto groups = reason_groups(results);
+  const auto groups = status_reason_groups(results);
   if (groups.empty()) return "";
   std::string html =
       html_element("h2", "Reasons why solutions are not ok") + "<ul class=\"reasons\">\n";
@@ -148,7 +148,7 @@ std::string replace_numbers_by_dots(const std::string& reason) {
   return std::regex_replace(reason, number, "$1...");
 }
 
-std::vector<StatusReasonGroup> reason_groups(const SweepResults& results) {
+std::vector<StatusReasonGroup> status_reason_groups(const SweepResults& results) {
   std::map<std::tuple<std::size_t, transform::Status, std::string>, StatusReasonGroup> found;
   for (const auto& point : results.points) {
     for (std::size_t m = 0; m < point.methods.size(); ++m) {

@@ -30,7 +30,7 @@ struct StatusReasonGroup {
 
 /// Returns the groups of results that have equal reasons for their status, the most frequent reason
 /// first.
-std::vector<StatusReasonGroup> reason_groups(const SweepResults& results);
+std::vector<StatusReasonGroup> status_reason_groups(const SweepResults& results);
 
 /// Replaces numbers in a reason by dots, e.g. "residual ... after ... steps". Digits within words
 /// ("km4") are kept.

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "workflows/sweep/plan/sweep_plan.hpp"
+#include "workflows/sweep/result/sweep_results.hpp"
+
+namespace fpkcheck::sweep {
+
+/// Model of the wall-clock times of all points of a plan, fitted to measured times by least
+/// squares. The logarithm of the seconds is a quadratic polynomial of the varied values, or of
+/// their logarithms on logarithmic axes.
+class SolveTimeModel {
+ public:
+  /// A solved point with the measured wall-clock time of its solution.
+  struct Measurement {
+    std::size_t point;
+    double seconds;
+  };
+
+  /// @param measured measured points. Without measured points, all points have the same expected
+  /// time.
+  SolveTimeModel(const SweepPlan& plan, std::span<const Measurement> measured);
+
+  /// Returns the expected seconds of a point, or the measured seconds if the point was measured.
+  double expected_seconds(std::size_t point) const { return expected_[point]; }
+  const std::vector<double>& all_expected_seconds() const { return expected_; }
+
+ private:
+  std::vector<double> expected_;
+};
+
+/// Returns about `count` candidates that are evenly distributed over the list of candidates.
+/// @param candidates numbers of the candidate points in increasing order
+std::vector<std::size_t> evenly_spread_sample(const std::vector<std::size_t>& candidates,
+                                              std::size_t count);
+
+enum class SweepPointDispatchRule {
+  longest_first,  ///< the next free worker gets the point with the longest expected time
+  in_order,       ///< the next free worker gets the next point of the plan
+  shards          ///< each of N workers gets every N-th point in advance
+};
+
+/// Returns the wall-clock time until the last worker has solved its last point.
+double parallel_wall_clock_time(std::span<const double> seconds, std::size_t workers,
+                                SweepPointDispatchRule dispatch);
+
+/// Expected wall-clock times of a plan, estimated from a sample of points.
+struct SolveTimeForecast {
+  std::vector<SolveTimeModel::Measurement> sample{};
+  std::vector<double> seconds{};  ///< expected seconds of each point
+  double uncertainty = 0;         ///< relative standard error of the sum of `seconds`
+  double megabytes = 0;           ///< peak resident memory of the process; 0 if no point was solved
+};
+
+/// Solves a sample of the points of a plan, and predicts the wall-clock times of all other points.
+/// The function writes no file.
+/// @param solved points that were solved before. If these points suffice for the forecast, no
+/// further point is solved.
+/// @param threads number of threads; 0 for one thread per processor
+/// @throws any exception of a solver
+SolveTimeForecast forecast_solve_times(const SweepPlan& plan,
+                                       const std::vector<SweepPointResult>& solved, int threads);
+
+}  // namespace fpkcheck::sweep
