@@ -82,7 +82,7 @@ void AppendOnlyLog::append(std::string_view line) {
 }
 
 void AppendOnlyLog::flush_to_disk() const {
-  // The error EINVAL is ignored, since some file systems do not support fdatasync.
+  // The error EINVAL of fdatasync is ignored, since some file systems do not support fdatasync.
   if (fdatasync(descriptor_.descriptor_number()) != 0 && errno != EINVAL && errno != ENOTSUP)
     throw_error("written");
 }

@@ -35,7 +35,8 @@ void write_all(const FileDescriptor& file, std::string_view bytes) {
   }
 }
 
-// Flushes a file or directory to disk. Some file systems do not support fsync of directories.
+// Flushes a file or directory to disk. The errors EINVAL and ENOTSUP are ignored, since some file
+// systems do not support fsync of directories.
 void flush_to_disk(const FileDescriptor& file) {
   if (fsync(file.descriptor_number()) != 0 && errno != EINVAL && errno != ENOTSUP)
     throw_system_error();
@@ -56,8 +57,7 @@ std::string partial_suffix(const std::string& host) {
   return fmt::format("{}{}-", kPartialMarker, host);
 }
 
-// Returns the process id in the name of a partial file of this host. For any other name the result
-// is 0.
+// Returns the process id in the name of a partial file of this host; 0 for any other file name.
 long partial_writer_pid(const std::string& name) {
   const std::string suffix = partial_suffix(WriterProcess::current_process().host);
   const auto at = name.rfind(suffix);

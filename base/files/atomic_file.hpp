@@ -20,7 +20,7 @@ class FileDescriptor {
 
   int descriptor_number() const { return number_; }
   bool is_regular_file() const;
-  /// Returns the file descriptor, which the caller must close.
+  /// Returns the file descriptor, which the caller must then close.
   int release_descriptor() { return std::exchange(number_, -1); }
 
  private:
@@ -37,18 +37,18 @@ struct WriterProcess {
   long pid;
 
   static WriterProcess current_process();
-  /// Returns false only if the process ran on this host and has ended. For a process on another
-  /// host, whose state is unknown, the result is true.
+  /// Returns false if the process ran on this host and has ended. The state of a process on another
+  /// host is unknown, and the function then returns true.
   bool may_be_running() const;
 };
 
-/// Removes those partial files of a directory whose writing process ran on this host and has ended.
+/// Removes all partial files of a directory whose writing process ran on this host and has ended.
 void remove_abandoned_partial_files(const std::filesystem::path& directory);
 
-/// Permissions of a new file, from which the system removes the permissions in the umask.
+/// Permissions of a new file, from which the operating system removes the permissions in the umask.
 inline constexpr int kFileMode = 0666;
 
-/// Creates a file with the contents `bytes` and waits until the file is on disk.
+/// Creates a file with the contents `bytes` and waits until the contents are on disk.
 /// @throws std::system_error if the file exists or cannot be written; an incomplete file is removed
 void write_new_file(const std::filesystem::path& file, std::string_view bytes);
 

@@ -29,8 +29,8 @@ std::runtime_error cannot_write(const fs::path& target, const std::error_code& w
 constexpr const char* kFirstLine = "fpkcheck commit 1";
 constexpr const char *kRename = "rename", *kRemove = "remove";
 
-// File names in a journal may contain spaces, since a journal has one name per line. Names with a
-// slash are rejected, since a forged journal could name files of other directories.
+// File names in a journal may contain spaces, since a journal has one file name per line. File
+// names with a slash are rejected, since a forged journal could name files of other directories.
 bool is_plain_file_name(const std::string& name) {
   return !name.empty() && name != "." && name != ".." &&
          name.find_first_of(std::string("/\n\0", 3)) == std::string::npos;
@@ -46,7 +46,7 @@ std::string journal_as_text(const FileChangeJournal& journal) {
   return text + "end\n";
 }
 
-// Parses the text of a journal; returns nullopt for an incomplete journal.
+// Parses the text of a journal of file changes; returns nullopt for an incomplete journal.
 std::optional<FileChangeJournal> parse_journal(std::istream& in) {
   FileChangeJournal journal;
   journal.writer.pid = 0;
@@ -75,7 +75,7 @@ std::optional<FileChangeJournal> parse_journal(std::istream& in) {
 std::optional<FileChangeJournal> read_sweep_journal(const fs::path& file) {
   std::error_code ignored;
   if (!fs::is_regular_file(fs::symlink_status(file, ignored))) return std::nullopt;
-  // A journal of another user is rejected, since in a shared directory such a journal could make
+  // A journal of another user is rejected: in a shared directory, another user's journal could make
   // this process remove files of its own user.
   struct stat status = {};
   if (stat(file.c_str(), &status) != 0 || status.st_uid != geteuid()) return std::nullopt;
@@ -136,7 +136,7 @@ void FileTransaction::remove(const fs::path& target) {
 void FileTransaction::commit() {
   assert(!committed_);
   committed_ = true;
-  // All errors that can be detected in advance are thrown before the first target is replaced.
+  // All errors that can be detected in advance are thrown before the first target file is replaced.
   for (const auto& [temporary, target] : pending_) {
     std::error_code error;
     if (!fs::exists(temporary, error)) {
@@ -164,8 +164,8 @@ void FileTransaction::replace_target_files(const fs::path& directory) {
       }
       for (const auto& target : removals_) journal.removals.push_back(target.filename().string());
       journal.write_to_directory(directory);
-      // After the journal is written, the partial files must be kept until this process or the next
-      // process applies the journal.
+      // After the journal is written, the partial files must be kept until this or a later process
+      // applies the journal.
       pending_.clear();
       removals_.clear();
       journal.apply_file_changes(directory);

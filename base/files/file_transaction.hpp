@@ -11,9 +11,10 @@
 namespace fpkcheck::base {
 
 /// Replaces several files of one directory in one transaction. The function add() writes a partial
-/// file beside each target, and commit() replaces all targets. Without a call of commit(), the
-/// destructor removes the partial files and leaves the targets unchanged. If the process is killed,
-/// the directory contains either all old or all new files (see FileChangeJournal).
+/// file beside each target file, and commit() replaces all target files. Without a call of
+/// commit(), the destructor removes the partial files and leaves the target files unchanged. If the
+/// process is killed, the directory contains either all old or all new files (see
+/// FileChangeJournal).
 class FileTransaction {
  public:
   using FileWriter = std::function<void(const std::filesystem::path& temporary)>;
@@ -23,21 +24,20 @@ class FileTransaction {
   FileTransaction& operator=(const FileTransaction&) = delete;
   ~FileTransaction();
 
-  /// Calls `produce` to write the partial file of a target.
-  /// @param target path in the same directory as all earlier targets
+  /// Calls `produce` to write the partial file of a target file.
+  /// @param target path in the same directory as all other targets of the transaction
   /// @throws the exceptions of `produce`
   void add(const std::filesystem::path& target, const FileWriter& produce);
-  /// Writes `bytes` to the partial file of a target.
+  /// Writes `bytes` to the partial file of a target file.
   /// @throws std::runtime_error with a one-line message
   void add(const std::filesystem::path& target, std::string_view bytes);
-  /// Marks a file for removal by commit(). The file may be absent.
+  /// Marks a file, which may be absent, for removal by commit().
   void remove(const std::filesystem::path& target);
 
-  /// Replaces all targets by their partial files, and removes the files that are marked for
-  /// removal.
+  /// Replaces all target files by their partial files, and removes the files marked for removal.
   /// @throws std::runtime_error with a one-line message. A missing partial file, or a directory
-  /// with the name of a target, is detected before any target is replaced.
-  /// @pre commit() was not called before
+  /// with the name of a target, is detected before any target file is replaced.
+  /// @pre commit() was not called before for the transaction
   void commit();
 
  private:
@@ -52,9 +52,9 @@ class FileTransaction {
   bool committed_ = false;
 };
 
-/// Calls `produce` to write a temporary file in the directory of the target, then renames the
-/// temporary file to the target. If `produce` fails, the target is unchanged and the temporary file
-/// is removed.
+/// Calls `produce` to write a temporary file in the directory of the target file, then renames the
+/// file to the target. If `produce` fails, the target file is unchanged and the temporary file is
+/// removed.
 /// @throws any exception of `produce`; std::runtime_error with a one-line message if `produce`
 /// wrote no file
 void replace_file_atomically(const std::filesystem::path& target,
@@ -65,8 +65,8 @@ void replace_file_atomically(const std::filesystem::path& target,
 void write_file_atomically(const std::filesystem::path& target, std::string_view bytes);
 
 /// Write-ahead journal of a change of several files in one directory. The journal is written before
-/// the first file is replaced and removed after the last replacement. If a process is killed during
-/// the change, the next process completes the change from the journal.
+/// the first file is replaced and is removed after the last file is replaced. If a process is
+/// killed before all files are replaced, the next process replaces the remaining files.
 struct FileChangeJournal {
   struct FileRename {
     std::string from, to;
@@ -78,14 +78,14 @@ struct FileChangeJournal {
 
   static constexpr const char* kFileName = ".fpkcheck-commit";
 
-  /// Writes the journal to disk. If this process is killed afterwards, a later process completes
-  /// the change of files.
+  /// Writes the journal to disk. If this process is killed after write_to_directory(), a later
+  /// process completes the change of files.
   /// @throws std::system_error if no journal was written; the error code is file_exists if the
   /// directory already contains a journal
   void write_to_directory(const std::filesystem::path& directory) const;
   /// Performs the remaining renames and removals of the journal, then removes the journal.
-  /// @throws std::system_error if a rename or removal fails; the journal then remains in the
-  /// directory
+  /// @throws std::system_error if a rename or removal fails; the journal of file changes then
+  /// remains in the directory
   void apply_file_changes(const std::filesystem::path& directory) const;
 };
 

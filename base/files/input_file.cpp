@@ -27,14 +27,14 @@ std::string without_comment(std::string line, int line_number) {
 std::optional<std::string> read_input_file(const std::filesystem::path& file,
                                            std::size_t max_bytes) {
   constexpr std::size_t kChunkBytes = 1 << 20;
-  // O_NONBLOCK prevents open() from blocking on a pipe without a writer; the type of the file is
-  // known only after opening.
+  // The flag O_NONBLOCK prevents open() from blocking on a pipe without a writer, since the type of
+  // the file is known only after opening.
   const FileDescriptor descriptor(open(file.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
   if (!descriptor.is_regular_file()) return std::nullopt;
   std::string bytes;
   for (;;) {
-    // The bytes are counted while reading, since a file may grow during reading and special files
-    // report no size.
+    // The size of the file is checked while reading, since a file may grow during reading and
+    // special files report no size.
     const std::size_t before = bytes.size();
     bytes.resize(before + kChunkBytes);
     const ssize_t count = read(descriptor.descriptor_number(), bytes.data() + before, kChunkBytes);

@@ -11,7 +11,7 @@
 namespace fpkcheck::base {
 
 /// Communication between the MPI processes of this run. Only the thread that called
-/// initialise_mpi() may use the communicator.
+/// initialise_mpi() may use the MPI communicator.
 class Communicator {
  public:
   struct Message {
@@ -32,22 +32,18 @@ class Communicator {
   bool is_first_rank() const { return process_rank() == 0; }
 
   virtual void send(int to, const std::string& text) = 0;
-  /// Returns the next message that has arrived, or nullopt without waiting if no message has
-  /// arrived.
+  /// Returns the next arrived message; nullopt, without waiting, if no message has arrived.
   virtual std::optional<Message> receive() = 0;
-  /// Collects the texts of all MPI processes on rank 0; every process must call this function.
-  /// @param poll function that rank 0 calls repeatedly during the wait; an exception of `poll` ends
-  /// the wait
-  /// @return on rank 0 the texts of the other processes by increasing rank; on other ranks an empty
-  /// list
+  /// Collects the texts of all MPI processes on rank 0; every MPI process must call gather().
+  /// @param poll function that rank 0 calls while waiting; an exception of `poll` ends the wait
+  /// @return on rank 0 the texts of the other MPI processes by rank; on other ranks an empty list
   std::vector<std::string> gather(const std::string& own, const std::function<void()>& poll);
-  /// Ends all processes of this run. A process that fails must call abort(), since the other
-  /// processes would otherwise wait forever for the messages of this process.
+  /// Ends all MPI processes of this run. An MPI process that fails must call abort(), since the
+  /// other processes would otherwise wait forever for its messages.
   [[noreturn]] virtual void abort(int exit_code) = 0;
 
  private:
-  /// Texts that faster processes have already sent for the next call of gather(), by rank of the
-  /// sender.
+  /// Texts that MPI processes have sent for the next call of gather(), by rank of the sender.
   std::map<int, std::deque<std::string>> gathered_;
 };
 

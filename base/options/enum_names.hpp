@@ -19,7 +19,7 @@ struct EnumEntry {
 };
 
 /// Every enum that is read or written by name has a table of names. The function
-/// `enumerator_names(Enum)` in the namespace of the enum returns this table.
+/// `enumerator_names(Enum)` in the namespace of the enum returns the table of names.
 ///
 ///     constexpr EnumEntry<Stepper> kStepperNames[] = {{Stepper::cvode, "cvode"}, ...};
 ///     constexpr const auto& enumerator_names(Stepper) { return kStepperNames; }

@@ -32,7 +32,7 @@ requires(!std::same_as<Integer, bool>) struct MemberConversion<Integer> {
   static Value option_value_from_member(Integer member) {
     return static_cast<std::int64_t>(member);
   }
-  /// @throws std::out_of_range if the type `Integer` cannot represent the value
+  /// @throws std::out_of_range if the integer type of the data member cannot represent the value
   static void set_member_from_option_value(Integer& member, const Value& value) {
     const auto whole = std::get<std::int64_t>(value);
     if (!std::in_range<Integer>(whole)) throw std::out_of_range("integer");
@@ -111,11 +111,12 @@ concept Resettable = requires(Member member) {
   member.reset();
 };
 
-/// The parameters of one options struct, in the order of help texts and tables. Only the derived
-/// class template OptionsDescription<Owner> depends on the type of the options struct.
+/// The parameters of one options struct, in the order of help texts and tables. Base class of
+/// OptionsDescription<Owner>, without the parts that depend on the type `Owner` of the options
+/// struct.
 class OptionsDescriptionBase {
  public:
-  /// @param prefix text before each parameter name in messages, e.g. "system." or "epc "
+  /// @param prefix text before each parameter name in error messages, e.g. "system." or "epc "
   explicit OptionsDescriptionBase(std::string prefix) : prefix_(std::move(prefix)) {}
 
   const std::vector<Parameter>& parameters() const { return all_; }
@@ -195,34 +196,33 @@ class OptionsDescription : public OptionsDescriptionBase {
     all_.back().choices = std::move(choices);
     return std::move(*this);
   }
-  /// Sets the function that returns a short display text for a long word of the last added
-  /// parameter.
+  /// Sets the function that abbreviates a long word of the last added parameter for display.
   OptionsDescription&& with_display_text(
       std::function<std::string(const std::string& word)> display_text) && {
     all_.back().display_text = std::move(display_text);
     return std::move(*this);
   }
-  /// Sets the default value of the last added parameter. The default value is used if a file lacks
-  /// the key of the parameter.
+  /// Sets the default value of the parameter that was added last. The default value is used if a
+  /// file does not contain the key of the parameter.
   OptionsDescription&& with_default(Value value) && {
     all_.back().default_value = std::move(value);
     return std::move(*this);
   }
-  /// Sets the default value of the last added parameter. Files and tables omit the parameter if its
-  /// value equals the default value.
+  /// Sets the default value of the parameter that was added last. Files and tables omit the
+  /// parameter if its value equals the default value.
   OptionsDescription&& with_default_omitted_from_files(Value default_value) && {
     all_.back().omit_default = true;
     return std::move(*this).with_default(std::move(default_value));
   }
 
   Values values(const Owner& owner) const { return option_values_of(&owner); }
-  /// Returns the values that files store: all values, except default values of parameters for which
-  /// omit_default is set.
+  /// Returns the values of all parameters that files store, without default values that need not be
+  /// stored (omit_default).
   Values stored_values(const Owner& owner) const { return stored_option_values_of(&owner); }
 
-  /// Builds an options struct from the values of its parameters. The function does not check ranges
-  /// (see validate()).
-  /// @param group name of the group of values in messages, e.g. "options"
+  /// Builds an options struct from the values of its parameters. The ranges of the parameters are
+  /// not checked (see validate()).
+  /// @param group name of the group of parameters in error messages, e.g. "options"
   /// @throws InputError that names a parameter if the parameter is missing, unknown or of the wrong
   /// type
   Owner read(const Values& values, const std::string& group) const {
@@ -235,8 +235,8 @@ class OptionsDescription : public OptionsDescriptionBase {
   /// of range
   void validate(const Owner& owner) const { require_values_in_range(&owner); }
 
-  /// Parses the text of a value and assigns the value to one data member of `owner`.
-  /// @param label name of the parameter in messages, e.g. "--order"
+  /// Parses the text of a parameter's value and assigns the value to a data member of `owner`.
+  /// @param label name of the parameter in error messages, e.g. "--order"
   /// @throws InputError if the text is not a value of the parameter's type
   void parse(Owner& owner, const Parameter& parameter, std::string_view text,
              const std::string& label) const {

@@ -29,15 +29,15 @@ inline bool contains(const Values& values, std::string_view name) {
 
 inline bool is_unset(const Value& value) { return std::holds_alternative<std::monostate>(value); }
 
-/// Returns the text of a value for messages and tables: a number with all digits, a word in quotes,
-/// or "automatic" for an unset value.
+/// Returns the text of a parameter's value for messages and tables: a number with all digits, a
+/// word in quotes, or "automatic" for an unset value.
 std::string value_as_text(const Value& value);
 
 struct AdmissibleRange {
   std::function<bool(double)> contains;
   std::string requirement;  ///< text after "must be" in messages, such as "a positive number"
 
-  /// Returns a copy of this range with a reason appended to the text `requirement`.
+  /// Returns a copy of this admissible range with a reason appended to the text `requirement`.
   AdmissibleRange with_reason_in_message(const std::string& reason) const {
     return {contains, requirement + ": " + reason};
   }
@@ -60,14 +60,13 @@ struct NumberOrFormula {
   NumberOrFormula(std::string formula) : held(std::move(formula)) {}
   bool operator==(const NumberOrFormula&) const = default;
 
-  /// Returns the number; null for a formula.
   const double* number() const { return std::get_if<double>(&held); }
   /// Returns the formula. @pre !number()
   const std::string& formula() const { return std::get<std::string>(held); }
 };
 
-/// OptionsDescription of one parameter of the program, from which the command-line option, the
-/// case-file key, JSON and the range check are derived.
+/// Description of one parameter of the program, from which the command-line option, the key in case
+/// files, the JSON value and the range check are derived.
 struct Parameter {
   std::string name;  ///< name in files: "restitution", "wall_density"
   std::string help;
@@ -75,7 +74,7 @@ struct Parameter {
   /// Command-line flag without leading dashes, such as "wall-density"; empty for a parameter
   /// without a flag.
   std::string flag = {};
-  /// Symbol of the parameter in formulas, as plain text and typeset: "mu", "μ".
+  /// Symbol of the parameter in formulas as plain text and in typeset form: "mu" and "μ".
   std::string symbol = {}, typeset = {};
   ParameterType type = ParameterType::number;
   bool can_be_automatic = false;
@@ -83,30 +82,30 @@ struct Parameter {
   std::optional<AdmissibleRange> range = {};
   std::optional<Value> default_value = {};  ///< value of the parameter if a file lacks its key
   bool omit_default = false;
-  /// Optional function that returns a short display text for a long word.
+  /// Optional function that abbreviates a long word for display.
   std::function<std::string(const std::string& word)> display_text = {};
 
   std::function<Value(const void* owner)> get = {};
   std::function<void(void* owner, const Value& value)> set = {};
 
-  /// Returns the text after "must be" in error messages, such as "an integer".
+  /// Returns the text after "must be" in error messages about the parameter, e.g. "an integer".
   std::string requirement_text() const;
 
-  /// Converts a value to the type of the parameter, for example an integer to a number. Returns
-  /// nullopt if the value has another type. The range is not checked.
+  /// Converts a value to the type of the parameter, such as an integer to a floating-point number;
+  /// returns nullopt if the conversion is impossible. The range of the value is not checked.
   std::optional<Value> convert_to_parameter_type(const Value& value) const;
 
-  /// Parses the text of a value. The text "auto" gives an unset value if can_be_automatic is true.
+  /// Parses the text of a parameter's value. The text "auto" gives an unset value if the parameter
+  /// can be automatic.
   /// @return nullopt if the text is not a value of the parameter's type
   std::optional<Value> parse(std::string_view text) const;
 
-  /// Returns whether a value is in the range of the parameter. The result is true for an unset
-  /// value.
+  /// Returns whether a value is in the range of the parameter; true for an unset value.
   bool is_in_range(const Value& value) const;
 };
 
-/// Parses the text of a parameter's value without checking its range.
-/// @param label name of the parameter in messages: "--order", "system.cubic ="
+/// Parses the text of a parameter's value without a check of the range.
+/// @param label name of the parameter in error messages: "--order", "system.cubic ="
 /// @throws InputError "LABEL 'text' (must be ..)" if the text is not a value of the parameter's
 /// type
 Value parse_value(const Parameter& parameter, std::string_view text, const std::string& label);

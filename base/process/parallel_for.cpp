@@ -62,8 +62,8 @@ int affinity_processor_count() {
   return static_cast<int>(std::thread::hardware_concurrency());
 }
 
-// OMP_NUM_THREADS may be a list with one number for each level of nested parallelism. The program
-// uses the first number.
+// OMP_NUM_THREADS may be a list with one number of threads for each level of nested parallelism, of
+// which only the first number is used.
 int limit_from_environment(const char* variable, int otherwise) {
   const char* const text = std::getenv(variable);
   if (text == nullptr) return otherwise;

@@ -9,7 +9,7 @@ namespace fpkcheck::base {
 namespace {
 
 std::atomic<int> stopping_signal = 0;
-// Signal handlers may use lock-free atomics only.
+// Signal handlers may use only lock-free atomic variables.
 static_assert(std::atomic<int>::is_always_lock_free);
 
 // The object ProcessExitBlockerState is never destroyed, since a thread may still wait for its

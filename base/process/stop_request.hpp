@@ -10,12 +10,12 @@ int requested_stop_signal();
 inline bool stop_requested() { return requested_stop_signal() != 0; }
 
 /// Stores the number of a signal as a request to stop the program; the number 0 clears the request.
-/// The function is async-signal-safe.
+/// The function request_stop() is async-signal-safe.
 void request_stop(int signal);
 
-/// Guard object that delays the exit of the process while the thread of the guard writes files.
-/// While an ProcessExitBlocker exists, no other thread ends the process. Guards of one thread may
-/// be nested, and several threads may hold guards at the same time.
+/// Guard object that delays the exit of the process while a thread writes files. While a
+/// ProcessExitBlocker exists, no other thread ends the process. A thread may hold nested
+/// ProcessExitBlocker objects, and several threads may hold such objects at the same time.
 class ProcessExitBlocker {
  public:
   ProcessExitBlocker();
@@ -24,9 +24,9 @@ class ProcessExitBlocker {
   ProcessExitBlocker& operator=(const ProcessExitBlocker&) = delete;
 };
 
-/// Waits until no ProcessExitBlocker exists. Afterwards, the constructor of ProcessExitBlocker
-/// blocks every thread except the calling thread. The thread that ends the process calls this
-/// function first.
+/// Waits until no ProcessExitBlocker exists. After wait_for_exit_blockers() has returned, the
+/// constructor of ProcessExitBlocker blocks every thread except the thread that called
+/// wait_for_exit_blockers(). A thread calls wait_for_exit_blockers() before it ends the process.
 void wait_for_exit_blockers();
 
 }  // namespace fpkcheck::base

@@ -5,7 +5,7 @@
 
 namespace fpkcheck::base {
 
-/// Measures the time since its construction.
+/// Measures the time since the construction of the Stopwatch object.
 class Stopwatch {
  public:
   double seconds() const {
@@ -16,14 +16,13 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-/// Time limit that begins at the construction of the object.
+/// Time limit, measured from the construction of the Deadline object.
 class Deadline {
  public:
   explicit Deadline(double seconds) : seconds_(seconds) {}
   static Deadline without_time_limit() { return Deadline(std::numeric_limits<double>::infinity()); }
 
-  /// Returns whether a computation that takes `seconds` would end before the deadline if started
-  /// now.
+  /// Returns whether a computation of `seconds`, started now, would end before the deadline.
   bool has_time_for(double seconds) const { return stopwatch_.seconds() + seconds <= seconds_; }
   bool has_deadline_passed() const { return !has_time_for(0); }
   double limit_seconds() const { return seconds_; }

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::string_view kEllipsis = "...";
 
-/// Returns the length in bytes of the first UTF-8 character of a text. The result is 0 for invalid
-/// UTF-8, control characters and marks of bidirectional text.
+/// Returns the length in bytes of the first UTF-8 character of a text; 0 for invalid UTF-8, control
+/// characters and marks of bidirectional text.
 std::size_t printable_length(std::string_view text) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned first = byte(0);
@@ -42,8 +42,8 @@ std::string take_printable(std::string_view& text) {
   return character;
 }
 
-/// Returns the first characters of a text that fit into `max_columns` columns. Unprintable bytes
-/// become escapes of four columns.
+/// Returns the first characters of a text that fit into `max_columns` columns, with unprintable
+/// bytes as escapes of four columns.
 std::string leading_columns(std::string_view text, std::size_t max_columns) {
   std::string result;
   for (std::size_t used = 0; !text.empty();) {
@@ -72,14 +72,13 @@ std::string escape_control_characters(std::string_view text) {
 std::string to_printable_text(std::string_view text) {
   constexpr std::size_t kMaxColumns = 80, kHead = 40,
                         kTail = kMaxColumns - kHead - kEllipsis.size();
-  // Only the beginning and the end of a long text are processed, since only these appear in the
-  // result.
+  // Only the beginning and the end of a long text are processed and shown.
   constexpr std::size_t kBytes = 4 * kMaxColumns;
   if (text.size() <= kBytes) {
     std::string whole = escape_control_characters(text);
     if (characters(whole) <= kMaxColumns) return whole;
   }
-  // The end of the text is kept, since the end of a path is the name of the file.
+  // The end of a long text is kept, since the end of a path is the name of the file.
   std::string_view tail = text.substr(text.size() - std::min(text.size(), kTail));
   while (!tail.empty() && (static_cast<unsigned char>(tail.front()) & 0xc0U) == 0x80) {
     tail.remove_prefix(1);

@@ -14,8 +14,8 @@ std::string to_printable_text(std::string_view text);
 /// Returns to_printable_text(text) enclosed in single quotes.
 std::string in_quotes(std::string_view text);
 
-/// Replaces control characters and invalid UTF-8 by escapes such as \x1b. The length of the text is
-/// not limited.
+/// Replaces control characters and invalid UTF-8 by escapes such as \x1b. The text is not
+/// shortened, in contrast to to_printable_text().
 std::string escape_control_characters(std::string_view text);
 
 /// Converts a message of a library to one line, truncated to 380 characters.
