@@ -20,9 +20,9 @@ inline std::vector<double> chebyshev_points(int count) {
   return points;
 }
 
-/// Returns the weights of the function values at the nodes in the interpolating polynomial at x,
-/// that is, the Lagrange basis polynomials at x.
-/// @param nodes distinct numbers
+/// Returns the weights of the function values at the interpolation nodes in the value of the
+/// interpolating polynomial at x, that is, the Lagrange basis polynomials at x.
+/// @param nodes distinct interpolation nodes
 inline std::vector<double> lagrange_weights(std::span<const double> nodes, double x) {
   std::vector<double> weights;
   weights.reserve(nodes.size());
@@ -36,9 +36,9 @@ inline std::vector<double> lagrange_weights(std::span<const double> nodes, doubl
   return weights;
 }
 
-/// Returns the weights of the function values at the nodes in the derivative of the given order, at
-/// x, of the interpolating polynomial (Fornberg, Mathematics of Computation 51 (1988) 699).
-/// @param nodes distinct numbers, more than `order`
+/// Returns the weights of the function values at the nodes in the derivative of the given order of
+/// the interpolating polynomial at x (Fornberg, Mathematics of Computation 51 (1988) 699).
+/// @param nodes distinct interpolation nodes, more than `order`
 inline std::vector<double> lagrange_derivative_weights(std::span<const double> nodes, double x,
                                                        int order) {
   const auto m = static_cast<std::size_t>(order);

@@ -16,8 +16,7 @@ inline constexpr double kNormal95 = 1.959964;
 /// Returns the probability that a standard normal variable is at most x.
 inline double normal_probability(double x) { return std::erfc(-x / std::numbers::sqrt2) / 2; }
 
-/// Returns the median of a sample, for an even number of values the larger of the two middle
-/// values.
+/// Returns the median of a sample; for an even number of values the larger of both middle values.
 /// @pre the sample is not empty
 inline double median(std::vector<double> sample) {
   assert(!sample.empty());

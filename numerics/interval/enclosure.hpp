@@ -5,7 +5,7 @@
 namespace fpkcheck::numerics {
 
 /// An enclosure lower <= x <= upper of a number x, computed by interval arithmetic. The header
-/// enclosure.hpp needs no special compiler options, in contrast to interval.hpp.
+/// enclosure.hpp requires no special compiler options, in contrast to the header interval.hpp.
 struct Enclosure {
   double lower = 0, upper = 0;
 

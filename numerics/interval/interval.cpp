@@ -6,7 +6,7 @@
 namespace fpkcheck::numerics {
 namespace {
 
-// Tests upward rounding with the sums 1 + 2^-60 and -1 - 2^-60.
+// Tests whether the sums 1 + 2^-60 and -1 - 2^-60 are rounded upward.
 bool is_rounding_upward() {
   volatile double one = 1, tiny = 0x1p-60;
   volatile double above = one + tiny, below = -one - tiny;
@@ -41,7 +41,8 @@ Interval exponential(const Interval& x) {
     ++squarings;
   }
   const Interval z = x * scale;
-  // The remainder of the Taylor sum of e^z, sum_{n <= 14} z^n / n!, is at most |z|^15 e^{|z|} / 15!
+  // The remainder of the Taylor polynomial of e^z, sum_{n <= 14} z^n / n!, is at most |z|^15
+  // e^{|z|} / 15!
   // <= 2 * 4^-15 / 15! < 2e-21.
   Interval sum = 1;
   for (int n = 14; n > 0; --n) sum = 1.0 + z * sum / static_cast<double>(n);
@@ -128,7 +129,7 @@ BernsteinCoefficients power_coefficients_from_bernstein(std::span<const Interval
 BernsteinCoefficients bernstein_coefficients_on_segment(std::span<const double> a,
                                                         const Interval& origin,
                                                         const Interval& from, const Interval& to) {
-  // Horner's rule in Bernstein form, with x - origin as a polynomial of degree 1 in t.
+  // Horner's rule in Bernstein form, where x - origin is a polynomial of degree 1 in t.
   const BernsteinCoefficients x{from - origin, to - origin};
   BernsteinCoefficients b{Interval(a.back())};
   for (std::size_t k = a.size() - 1; k-- > 0;) {

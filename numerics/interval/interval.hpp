@@ -10,15 +10,16 @@
 
 /// Outward-rounded interval arithmetic with Boost.Interval.
 ///
-/// Include this header only in targets that are compiled with -frounding-math -ffp-contract=off
-/// (`numerics`, `backward` and the tests of these two targets). In other targets the compiler may
-/// round in the wrong direction, and the linker may keep the wrong copy of a template. All interval
-/// arithmetic must run inside call_with_upward_rounding(). The lower end of a result x is computed
-/// as -up(-x), where `up` is upward rounding.
+/// Include the header interval.hpp only in targets that are compiled with -frounding-math
+/// -ffp-contract=off (`numerics`, `backward` and the tests of these two targets). Without these
+/// compiler options, interval arithmetic may be rounded in the wrong direction, and the linker may
+/// keep the wrong copy of a template. All interval arithmetic must run inside
+/// call_with_upward_rounding(). The lower end of a result x is computed as -up(-x), where `up` is
+/// upward rounding.
 namespace fpkcheck::numerics {
 
 /// Rounding control of the calling thread, with the interface that Boost's rounded_arith_opp
-/// requires. The function force_rounding() need not store a result to memory, since SSE2 arithmetic
+/// requires. The function force_rounding() does not store results to memory, since SSE2 arithmetic
 /// has no excess precision.
 struct HardwareRounding {
   using rounding_mode = int;
@@ -32,9 +33,10 @@ struct HardwareRounding {
 };
 
 /// Boost's interval arithmetic under upward rounding, except for the lower end of the square root.
-/// Boost changes the rounding mode for the lower end within an expression, and the compiler may
-/// compute the square root before the change. UpwardArithmetic computes the lower end as s - 2^-52
-/// s, where s is the upper end and 2^-52 s is at least one unit in the last place.
+/// For the lower end of a square root, Boost changes the rounding mode within an expression, and
+/// the compiler may compute the square root before the change. UpwardArithmetic computes the lower
+/// end of a square root as s - 2^-52 s, where s is the upper end and 2^-52 s is at least one unit
+/// in the last place.
 struct UpwardArithmetic
     : boost::numeric::interval_lib::rounded_arith_opp<double, HardwareRounding> {
   double sqrt_down(const double& x) {
@@ -49,7 +51,7 @@ using Interval =
                                  boost::numeric::interval_lib::save_state_nothing<UpwardArithmetic>,
                                  boost::numeric::interval_lib::checking_base<double>>>;
 
-/// Guard object that sets the rounding mode of the thread to upward for the lifetime of the guard.
+/// Guard object that sets the rounding mode of the thread to upward rounding for its lifetime.
 /// @throws std::runtime_error if setting the rounding mode has no effect on this processor or in
 /// this build
 class UpwardRounding {
@@ -63,8 +65,9 @@ class UpwardRounding {
   int before_;
 };
 
-/// Calls `work` in a function that the compiler neither inlines nor analyses. The compiler
-/// therefore cannot move arithmetic of `work` out of the lifetime of an UpwardRounding object.
+/// Calls the function `work` in such a way that the compiler neither inlines nor analyses the call.
+/// Without inlining, the compiler cannot move arithmetic of `work` out of the lifetime of an
+/// UpwardRounding object.
 template <class Work>
 #if defined(__GNUC__) && !defined(__clang__)
 [[gnu::noipa]]
@@ -84,7 +87,7 @@ inline Interval interval_from_enclosure(const Enclosure& e) { return {e.lower, e
 inline Enclosure enclosure_from_interval(const Interval& x) { return {x.lower(), x.upper()}; }
 
 inline Interval symmetric_interval(double x) { return {-x, x}; }
-/// Returns the largest |x| of the elements x of an interval.
+/// Returns the largest absolute value of the elements of an interval x.
 inline double magnitude(const Interval& x) { return std::max(-x.lower(), x.upper()); }
 
 /// Returns an enclosure of the power x^n of an interval x, n >= 0, as a product of n factors. For
@@ -95,9 +98,9 @@ Interval power(const Interval& x, int n);
 /// @pre x <= 0
 Interval exponential(const Interval& x);
 
-/// Interval coefficients b_0 .. b_n of the polynomial sum_j b_j C(n, j) t^j (1-t)^(n-j), 0 <= t <=
-/// 1, in Bernstein form (Farouki, Computer Aided Geometric Design 29 (2012) 379). The values of a
-/// polynomial lie between its smallest and its largest Bernstein coefficient.
+/// Interval coefficients b_0 .. b_n, in Bernstein form, of the polynomial sum_j b_j C(n, j) t^j
+/// (1-t)^(n-j), 0 <= t <= 1 (Farouki, Computer Aided Geometric Design 29 (2012) 379). The values of
+/// a polynomial lie between its smallest and its largest Bernstein coefficient.
 using BernsteinCoefficients = std::vector<Interval>;
 
 /// Returns the binomial coefficient C(n, j), exact for n <= 40.
@@ -107,7 +110,7 @@ BernsteinCoefficients elevate_bernstein_degree(std::span<const Interval> bernste
                                                int degree);
 BernsteinCoefficients bernstein_product(std::span<const Interval> a, std::span<const Interval> b);
 BernsteinCoefficients bernstein_derivative(std::span<const Interval> bernstein_coefficients);
-/// Evaluates a polynomial in Bernstein form at t in [0, 1] by de Casteljau's algorithm.
+/// Evaluates a polynomial in Bernstein form at a point t in [0, 1] by de Casteljau's algorithm.
 Interval evaluate_bernstein_polynomial(std::span<const Interval> bernstein_coefficients,
                                        const Interval& t);
 

@@ -9,7 +9,7 @@
 namespace fpkcheck::numerics {
 namespace {
 
-// Replaces C by C - A B for blocks of matrices stored by columns.
+// Replaces the matrix C by C - A B for blocks of matrices that are stored by columns.
 void subtract_block_product(Eigen::Ref<Eigen::MatrixXd> c,
                             const Eigen::Ref<const Eigen::MatrixXd>& a,
                             const Eigen::Ref<const Eigen::MatrixXd>& b) {
@@ -22,8 +22,8 @@ void subtract_block_product(Eigen::Ref<Eigen::MatrixXd> c,
 BlockBandedLu::BlockBandedLu(const Eigen::SparseMatrix<double>& matrix, int block_size)
     : n_(block_size), blocks_(static_cast<int>(matrix.rows() / block_size)) {
   assert(matrix.rows() == matrix.cols() && matrix.rows() % block_size == 0);
-  // Index of the last nonzero block in each column and in each row, increased to a nondecreasing
-  // sequence
+  // Index of the last nonzero block in each block column and in each block row, increased to a
+  // nondecreasing sequence
   std::vector<int> last_row(static_cast<std::size_t>(blocks_)), last_column(last_row);
   for (int c = 0; c < blocks_; ++c) last_row[c] = last_column[c] = c;
   using Entry = Eigen::SparseMatrix<double>::InnerIterator;
@@ -71,9 +71,8 @@ void BlockBandedLu::factorise() {
     const auto columns = static_cast<int>(upper_[c].cols() / n_);
     for (int j = 1; j <= columns; ++j) {
       const auto right = upper_[c].middleCols((j - 1) * n_, n_);
-      // The loop updates the blocks above the diagonal block c + j. The two statements after the
-      // loop over the blocks above the diagonal update the diagonal block and the blocks below the
-      // diagonal block.
+      // The loop over i updates the blocks above the diagonal block c + j. The statements after the
+      // loop over i update the diagonal block and the blocks below the diagonal.
       for (int i = 1; i < std::min(j, rows + 1); ++i) {
         subtract_block_product(upper_[c + i].middleCols((j - i - 1) * n_, n_),
                                lower_[c].middleRows((i - 1) * n_, n_), right);

@@ -7,13 +7,13 @@
 namespace fpkcheck::numerics {
 
 /// LU factors of a sparse matrix whose dense blocks of equal size lie near the diagonal, without
-/// exchanges of rows between blocks. The factors fill the envelope of the blocks. A column of
-/// blocks extends down to the last nonzero block in the column and in all earlier columns. A row of
-/// blocks extends to the right to the last nonzero block in the row and in all earlier rows. A
-/// matrix s - L of a generator L with s > 0 needs no exchanges of rows.
+/// exchanges of rows between blocks. The LU factors fill the envelope of the blocks: each block
+/// column extends down to the last nonzero block in this and all earlier columns. Each block row
+/// extends to the right to the last nonzero block in this and all earlier rows. A matrix s I - L
+/// with a generator L and s > 0 requires no exchanges of rows.
 class BlockBandedLu {
  public:
-  /// @pre the size of the matrix is a multiple of block_size
+  /// @pre the number of rows of the matrix is a multiple of block_size
   BlockBandedLu(const Eigen::SparseMatrix<double>& matrix, int block_size);
 
   /// Replaces b by A^-1 b.
@@ -21,12 +21,12 @@ class BlockBandedLu {
   /// Replaces b by A^-T b.
   void solve_transposed_in_place(Eigen::Ref<Eigen::VectorXd> b) const;
 
-  /// Returns whether all factors are finite, that is, whether every diagonal block was regular.
+  /// Returns whether all LU factors are finite, that is, whether every diagonal block was regular.
   bool is_finite() const;
 
-  /// Returns the number of elements of the factors of a matrix with blocks up to `half_bandwidth`
-  /// blocks from the diagonal. Callers compare the number of elements with the available memory and
-  /// then choose between LU factors and GMRES.
+  /// Returns the number of elements of the LU factors of a matrix with blocks up to
+  /// `half_bandwidth` blocks from the diagonal. Callers compare the number of elements with the
+  /// available memory and then choose between LU factors and GMRES.
   static double factor_element_count(double matrix_size, double block_size, int half_bandwidth) {
     return matrix_size * block_size * (1 + 2 * half_bandwidth);
   }
@@ -37,9 +37,9 @@ class BlockBandedLu {
 
   int n_;       // block size
   int blocks_;  // number of blocks in each direction
-  /// Element c holds the blocks below the diagonal block c, one above the other: A_ic D_c^-1.
+  /// lower_[c] contains the stacked blocks A_ic D_c^-1 below the diagonal block D_c of the matrix.
   std::vector<Eigen::MatrixXd> lower_;
-  /// Element c holds the blocks to the right of the diagonal block c, side by side.
+  /// upper_[c] contains, side by side, the blocks to the right of the diagonal block c.
   std::vector<Eigen::MatrixXd> upper_;
   std::vector<Eigen::MatrixXd>
       diagonal_;  // diagonal blocks D_c; after factorise(), the inverses of D_c

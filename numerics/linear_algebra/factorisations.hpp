@@ -28,8 +28,8 @@ class LuFactors {
 /// Returns the singular values of a matrix in decreasing order.
 Eigen::VectorXd singular_values(const Eigen::MatrixXd& matrix);
 
-/// Returns the eigenvalue with the largest real part of a square matrix. Of a conjugate pair the
-/// function returns the eigenvalue with the positive imaginary part.
+/// Returns the eigenvalue with the largest real part of a square matrix. Of a complex conjugate
+/// pair the function returns the eigenvalue with the positive imaginary part.
 std::complex<double> rightmost_eigenvalue(const Eigen::MatrixXd& matrix);
 
 struct MatrixSingularityIndicators {
@@ -39,8 +39,8 @@ struct MatrixSingularityIndicators {
 MatrixSingularityIndicators singularity_indicators(const Eigen::MatrixXd& matrix);
 
 /// A symmetric positive definite matrix of dense blocks, which factorise() replaces by its Cholesky
-/// factor. The blocks may have different sizes. Blocks (row, column) with |row - column| >
-/// bandwidth are zero.
+/// factor. The blocks of the matrix may have different sizes. Blocks (row, column) with |row -
+/// column| > bandwidth are zero.
 class BlockBandedMatrix {
  public:
   BlockBandedMatrix(std::vector<Eigen::Index> block_sizes, int bandwidth);
@@ -51,14 +51,14 @@ class BlockBandedMatrix {
   Eigen::Ref<Eigen::MatrixXd> block(int row, int column);
 
   Eigen::VectorXd diagonal() const;
-  /// Replaces the matrix A by S A S with S = diag(scale).
+  /// Replaces the matrix A by S A S with the diagonal matrix S = diag(scale).
   void scale_symmetrically(const Eigen::VectorXd& scale);
   void add_to_diagonal(double value);
 
   /// Replaces the matrix A by its Cholesky factor L, A = L L^T.
-  /// @return false if A is not numerically positive definite
+  /// @return false if the matrix A is not numerically positive definite
   bool factorise();
-  /// Replaces b by A^-1 b, where A is the factorised matrix.
+  /// Replaces the matrix b by A^-1 b, where A is the factorised matrix.
   /// @param b shape (size, any number of columns)
   /// @pre factorise() has returned true
   void solve_in_place(Eigen::MatrixXd& b) const;
@@ -69,7 +69,8 @@ class BlockBandedMatrix {
   std::vector<Eigen::Index> offsets_;
   int bandwidth_;
   bool is_factorised_ = false;
-  // Element `column` holds the stacked blocks of the block rows `column` .. last_block_row(column).
+  // columns_[column] contains the stacked blocks of the block rows `column` ..
+  // last_block_row(column).
   std::vector<Eigen::MatrixXd> columns_;
 };
 

@@ -4,9 +4,9 @@
 
 #include "numerics/linear_algebra/subtract_product.hpp"
 
-// Kernel of subtract_product(), included by one source file for each instruction set. Each source
-// file chooses the block sizes kVectors, kWidth and kColumns by the registers of its instruction
-// set. All functions of this header have internal linkage.
+// Implementation of subtract_product(), which one source file for each instruction set includes.
+// Each source file chooses the block sizes kVectors, kWidth and kColumns by the registers of its
+// instruction set. All functions of this header have internal linkage.
 
 namespace fpkcheck::numerics {
 namespace {
@@ -16,9 +16,9 @@ struct SimdVectorType {
   typedef double Type __attribute__((vector_size(8 * kWidth)));
 };
 
-/// Computes C - A B by blocks: each block of C with kVectors * kWidth rows and kColumns columns is
-/// computed in registers. The required parts of A and B are first copied in the order of access and
-/// padded with zeros.
+/// Computes C - A B by blocks: each block of the matrix C with kVectors * kWidth rows and kColumns
+/// columns is computed in registers. The required parts of the matrices A and B are first copied in
+/// the order of access and padded with zeros.
 template <int kWidth, int kVectors, int kColumns>
 void subtract_product_blocked(double* c, std::ptrdiff_t leading_dimension, const StridedMatrix& a,
                               const StridedMatrix& b, std::ptrdiff_t rows, std::ptrdiff_t columns,

@@ -98,7 +98,7 @@ bool BdfIntegrator::advance_to_time(double time) {
   sunrealtype returned = 0, current = 0;
   const int flag = CVode(cvode, time, handles_->state.get(), &returned, CV_NORMAL);
   handles_->callbacks.thrown.rethrow_stored_exception();
-  // CVODE reports success before `time` if the step size underflows to 0.
+  // CVODE reports success before the requested time if the step size underflows to 0.
   require_success(CVodeGetCurrentTime(cvode, &current), "CVodeGetCurrentTime");
   return flag >= 0 && current >= time;
 }

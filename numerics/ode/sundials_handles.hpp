@@ -37,14 +37,14 @@ struct SilentSundialsContext : sundials::Context {
 };
 
 /// Stores an exception that a callback of SUNDIALS throws. Exceptions must not propagate through
-/// the C stack frames of SUNDIALS. The callback returns a flag instead, and the caller of SUNDIALS
-/// rethrows the exception.
+/// the C stack frames of SUNDIALS. The callback of SUNDIALS therefore returns a flag, and the
+/// caller of SUNDIALS rethrows the exception.
 class CallbackExceptionStore {
  public:
   /// Negative flag of a callback, which SUNDIALS treats as an unrecoverable error
   static constexpr int kUnrecoverable = -1;
 
-  /// Calls `callback` and returns the flag, or kUnrecoverable if the callback throws.
+  /// Calls the function `callback` and returns its flag, or kUnrecoverable after an exception.
   template <class Callback>
   int call_and_store_exception(const Callback& callback) noexcept {
     try {
@@ -86,7 +86,7 @@ inline void require_success(int flag, const char* function_name) {
   if (flag < 0) throw std::runtime_error(fmt::format("{} returned {}", function_name, flag));
 }
 
-/// Makes `cvode` report errors to `handler(function, text, data)`, which must not throw.
+/// Makes the CVODE object report errors to `handler(function, text, data)`, which must not throw.
 template <void (*handler)(const char* function, const char* text, void* data)>
 void set_error_handler([[maybe_unused]] void* cvode,
                        [[maybe_unused]] SilentSundialsContext& context, void* data) {
@@ -106,9 +106,9 @@ inline Eigen::Map<Eigen::VectorXd> vector_view(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))};
 }
 
-/// Returns a SUNDIALS vector with two changed operations: a failed clone throws, and Eigen computes
-/// the inner products. Inner products take a tenth of the time of a solution; Eigen uses SIMD, but
-/// N_VDotProd_Serial does not.
+/// Returns a SUNDIALS vector with two changed operations: a failed clone throws an exception, and
+/// Eigen computes inner products with SIMD instructions. Inner products take a tenth of the time of
+/// a solution.
 inline OwnedHandle<N_Vector> make_sundials_vector(const Eigen::VectorXd& values,
                                                   SilentSundialsContext& context) {
   auto v = make_owned_handle(N_VNew_Serial(static_cast<sunindextype>(values.size()), context),
@@ -116,8 +116,8 @@ inline OwnedHandle<N_Vector> make_sundials_vector(const Eigen::VectorXd& values,
   v->ops->nvdotprod = [](N_Vector a, N_Vector b) noexcept {
     return vector_view(a).dot(vector_view(b));
   };
-  // SUNDIALS 6 does not check clones for null. SUNDIALS does not support exceptions: a failed clone
-  // leaks the earlier clones of SUNDIALS.
+  // SUNDIALS 6 does not check whether a clone of a vector is null. SUNDIALS does not support
+  // exceptions: if the clone of a vector fails, the memory of earlier clones is leaked.
   v->ops->nvclone = [](N_Vector like) {
     const N_Vector clone = N_VClone_Serial(like);
     return clone != nullptr ? clone : throw std::bad_alloc();

@@ -7,7 +7,7 @@
 
 namespace fpkcheck::numerics {
 
-/// The polynomial sum_n a_n y^n, n = 0 .. kDegree.
+/// Polynomial sum_n a_n y^n of the variable y, n = 0 .. kDegree.
 class Polynomial {
  public:
   static constexpr std::size_t kDegree = 6;
@@ -25,7 +25,7 @@ class Polynomial {
 
   constexpr double coefficient(std::size_t n) const { return a_[n]; }
   constexpr const Coefficients& coefficients() const { return a_; }
-  /// Returns the degree, the largest n with a_n != 0; the degree of a constant is 0.
+  /// Returns the degree, the largest n with a_n != 0; the degree of a constant polynomial is 0.
   constexpr std::size_t degree() const {
     std::size_t n = kDegree;
     while (n > 0 && a_[n] == 0) --n;
@@ -59,7 +59,7 @@ class Polynomial {
     for (std::size_t n = 0; n < kDegree; ++n) p[n + 1] = a_[n];
     return Polynomial(p);
   }
-  /// Returns the antiderivative that is 0 at y = 0.
+  /// Returns the antiderivative of the polynomial that is 0 at y = 0.
   /// @pre degree() < kDegree
   constexpr Polynomial antiderivative() const {
     assert(degree() < kDegree);
@@ -72,13 +72,13 @@ class Polynomial {
   Coefficients a_;
 };
 
-/// Returns the real roots of odd multiplicity in (low, high), in increasing order. Each root is
-/// searched between two neighbouring sign changes of the derivative, where the polynomial is
-/// monotone.
+/// Returns the real roots of odd multiplicity of a polynomial in (low, high), in increasing order.
+/// Each root is searched between two neighbouring sign changes of the derivative, where the
+/// polynomial is monotone.
 std::vector<double> sign_change_points(const Polynomial& polynomial, double low, double high);
 
-/// Returns Cauchy's bound 1 + max |a_n / a_degree| of the modulus of all roots, or 0 for a
-/// constant polynomial.
+/// Returns Cauchy's bound 1 + max |a_n / a_degree| of the modulus of all roots of a polynomial with
+/// the coefficients a_n; 0 for a constant polynomial.
 double root_modulus_bound(const Polynomial& polynomial);
 
 }  // namespace fpkcheck::numerics

@@ -19,9 +19,10 @@ struct ThreeTermRecurrence {
 };
 
 // Computes a Gauss rule by the method of Golub and Welsch: the nodes are the eigenvalues of the
-// Jacobi matrix. The weights are computed from the recurrence as 1 / sum_i h_i(t)^2. Eigenvectors
-// would not give the small outer weights with full relative accuracy. Moments of degree 5n, where n
-// is the closure order, require full relative accuracy of the weights.
+// Jacobi matrix. The weights 1 / sum_i h_i(t)^2 of a Gauss rule are computed from the three-term
+// recurrence of the orthonormal polynomials h_i. Eigenvectors would not give the small weights of
+// the outer nodes with full relative accuracy. Moments of degree 5n, where n is the closure order,
+// require full relative accuracy of the weights.
 QuadratureRule golub_welsch_rule(const ThreeTermRecurrence& recurrence) {
   const auto& [diagonal, off_diagonal] = recurrence;
   const Eigen::Index count = diagonal.size();
@@ -45,9 +46,8 @@ QuadratureRule golub_welsch_rule(const ThreeTermRecurrence& recurrence) {
 
 // With t = u^2 / 2 and a standard normal u, the expectation E[|u| g(u)] is the integral int_0^inf
 // [g(sqrt(2t)) + g(-sqrt(2t))] exp(-t) dt / sqrt(2 pi), whose bracket is a polynomial in t of half
-// the degree of g. The expectation E[sgn(u) g(u)] = E[|u| g(u)/u] is the same integral with g(u)/u
-// in place of g(u). Only the odd part of g contributes, and the odd part divided by u is a
-// polynomial in t.
+// the degree of g. The expectation E[sgn(u) g(u)] equals E[|u| g(u)/u], to which only the odd part
+// of g contributes; the odd part of g divided by u is a polynomial in t.
 const double kNormalDensityAtZero = 1 / std::sqrt(2 * std::numbers::pi);
 
 }  // namespace

@@ -17,7 +17,8 @@ struct QuadraturePoint {
 
 /// Returns the points of the composite Gauss-Legendre rule on [a, b], with N points on each of
 /// `panels` panels of equal width. The composite rule is exact for polynomials of degree 2 N - 1 on
-/// each panel. The points of a panel are ordered in pairs symmetric about the middle of the panel.
+/// each panel. The quadrature points of a panel are ordered in pairs symmetric about the middle of
+/// the panel.
 /// @pre panels > 0
 template <unsigned N = 10>
 std::vector<QuadraturePoint> composite_gauss_points(double a, double b, int panels) {
@@ -44,7 +45,7 @@ struct QuadratureRule {
 
   Eigen::Index size() const { return weights.size(); }
   /// Returns a view of the quadrature points as an Eigen vector, valid during the lifetime of the
-  /// rule.
+  /// quadrature rule.
   Eigen::Map<const Eigen::VectorXd> quadrature_points_as_vector() const {
     return {points.data(), size()};
   }
@@ -69,7 +70,7 @@ QuadratureRule composite_gauss_rule(std::span<const double> panel_ends) {
   return rule;
 }
 
-/// Returns the Gauss-Legendre rule on [from, to] with increasing points.
+/// Returns the Gauss-Legendre rule on the interval [from, to], with the points in increasing order.
 /// @pre point_count > 0
 QuadratureRule gauss_legendre_rule(int point_count, double from, double to);
 

@@ -49,7 +49,8 @@ SolutionCurvePoint predict_point(const SolutionCurvePoint& from, const VectorXd&
   return {from.a + step * tangent.head(n), from.t + step * tangent[n]};
 }
 
-// Returns the matrix of the derivatives [dG/da dG/dt] with `last_row` as additional last row.
+// Returns the matrix of the derivatives [dG/da dG/dt] of the homotopy G(a, t), with `last_row` as
+// additional last row.
 MatrixXd SolutionCurveTracer::bordered_jacobian(const SolutionCurvePoint& point,
                                                 const VectorXd& last_row) const {
   const Index n = point.a.size();
@@ -60,8 +61,8 @@ MatrixXd SolutionCurveTracer::bordered_jacobian(const SolutionCurvePoint& point,
   return matrix;
 }
 
-// Returns the unit tangent of the solution curve whose scalar product with the previous tangent
-// `previous_tangent` is positive.
+// Returns the unit tangent of the solution curve that has a positive scalar product with the
+// previous tangent.
 VectorXd SolutionCurveTracer::unit_tangent(const SolutionCurvePoint& point,
                                            const VectorXd& previous_tangent) const {
   const Index n = point.a.size();
@@ -75,8 +76,8 @@ bool SolutionCurveTracer::is_converged(const VectorXd& residual, double correcti
          correction < options_.correction_tolerance;
 }
 
-// Corrects a predicted point by Newton steps within the hyperplane through `start` that is normal
-// to the tangent.
+// Corrects a predicted point of the solution curve by Newton steps within the hyperplane through
+// `start` that is normal to the tangent.
 std::optional<SolutionCurvePoint> SolutionCurveTracer::correct_prediction(
     const SolutionCurvePoint& start, const VectorXd& tangent, double step) {
   const Index n = start.a.size();
@@ -112,8 +113,8 @@ std::optional<SolutionCurvePoint> SolutionCurveTracer::correct_at_fixed_t(
   return std::nullopt;
 }
 
-// Returns the point of the curve at an end of the interval of t, interpolated between a point
-// inside the interval and a point beyond its end.
+// Returns the point of the solution curve at an end of the parameter interval, interpolated between
+// a point inside the interval and a point beyond the end.
 std::optional<SolutionCurvePoint> SolutionCurveTracer::point_at_parameter_limit(
     const SolutionCurvePoint& before, const SolutionCurvePoint& beyond) {
   const double end = beyond.t >= 1 ? 1 : options_.min_t;
@@ -122,7 +123,7 @@ std::optional<SolutionCurvePoint> SolutionCurveTracer::point_at_parameter_limit(
   return options_.correct_end_point ? correct_at_fixed_t(between) : between;
 }
 
-// Locates a fold, a point of the curve with stationary t, by bisection of the step length.
+// Locates a fold of the solution curve, a point with stationary t, by bisection of the step length.
 SolutionCurvePoint SolutionCurveTracer::locate_fold(const SolutionCurvePoint& from,
                                                     const VectorXd& tangent_there, double step) {
   const Index n = from.a.size();

@@ -8,8 +8,8 @@ namespace fpkcheck::numerics {
 struct NewtonOptions {
   double tolerance = 1e-10;  ///< convergence threshold of the norm of the residual
   int max_iterations = 30;
-  /// Whether Equations::step_fraction scales each Newton step (damped Newton method); otherwise
-  /// full steps are taken.
+  /// Whether the Newton steps are damped by the factor Equations::step_fraction; otherwise full
+  /// Newton steps are taken.
   bool damped = true;
   bool polish =
       true;  ///< whether one more step is taken after convergence, to reach rounding error
@@ -22,8 +22,9 @@ struct NewtonResult {
   bool converged = false;
 };
 
-/// Halves a step fraction, beginning with `first_step_fraction`, until `accepts` returns true.
-/// Returns the accepted fraction, or 0 if the fraction has fallen to `min_step_fraction`.
+/// Halves a fraction of the Newton step, beginning with `first_step_fraction`, until `accepts`
+/// returns true. Returns the accepted fraction of the Newton step, or 0 if the fraction has fallen
+/// to `min_step_fraction`.
 template <class Accepts>
 double halve_step_until_accepted(double first_step_fraction, double min_step_fraction,
                                  const Accepts& accepts) {

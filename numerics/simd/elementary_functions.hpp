@@ -5,11 +5,12 @@
 #include "numerics/simd/simd.hpp"
 
 /// Logarithm, exponential and sine functions that use only the operations +, -, * and /. Correct
-/// rounding of these operations makes the results bit-identical for all compilers, libraries, SIMD
+/// rounding of +, -, * and / makes the results bit-identical for all compilers, libraries, SIMD
 /// widths and instruction sets.
 namespace fpkcheck::simd {
 
-/// The number 2^52 + 2^51. The last bits of the double kShift + n are n, for a small integer n.
+/// The number 2^52 + 2^51. For a small integer n, the last bits of 2^52 + 2^51 + n are the bits of
+/// n.
 inline constexpr double kShift = 6755399441055744.0;
 inline constexpr std::int64_t kShiftBits = 0x4338000000000000;
 /// The number ln 2 as the sum kLn2High + kLn2Low. The product of kLn2High and a binary exponent is
@@ -29,7 +30,7 @@ FPKCHECK_INLINE Real logarithm(const Real& x) {
   const Bits fraction_bits = bits - (exponent << 52);
   Real m;
   __builtin_memcpy(&m, &fraction_bits, sizeof m);
-  // Bits of a double whose last bits are the exponent n.
+  // Bits of a double whose last bits are the binary exponent n of a number.
   const Bits shifted = exponent + kShiftBits;
   Real n;
   __builtin_memcpy(&n, &shifted, sizeof n);

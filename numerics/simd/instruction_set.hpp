@@ -5,8 +5,8 @@
 namespace fpkcheck::simd {
 
 /// Instruction sets for which the SIMD code is compiled. The program queries the processor at run
-/// time, so that the same executable runs on all x86-64 processors. On other architectures the
-/// program uses the baseline instruction set.
+/// time, so that the same executable runs on all x86-64 processors. On processor architectures
+/// other than x86-64 the program uses the baseline instruction set.
 enum class InstructionSet { baseline, avx2, avx512 };
 
 struct SimdVariant {
@@ -14,8 +14,7 @@ struct SimdVariant {
   int width;
 };
 
-/// Returns the compiled variants of the SIMD code that this processor supports, the fastest variant
-/// last.
+/// Returns the variants of the SIMD code that this processor supports, the fastest variant last.
 std::vector<SimdVariant> available_simd_variants();
 
 template <class Function>

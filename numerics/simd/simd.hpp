@@ -9,13 +9,13 @@
 /// and Clang. The compiler translates vector operations to the instruction set of the calling
 /// function (see instruction_set.hpp).
 ///
-/// The results in a lane are bit-identical for all W and all instruction sets. The operations +, -,
-/// *, / and sqrt are correctly rounded, and -ffp-contract=off prevents fused multiply-add. No
-/// operation of simd.hpp combines numbers of different lanes.
+/// The results in a SIMD lane are bit-identical for all vector widths W and all instruction sets.
+/// In SIMD vectors, the operations +, -, *, / and sqrt are correctly rounded, and -ffp-contract=off
+/// prevents fused multiply-add. No operation of simd.hpp combines numbers of different lanes.
 namespace fpkcheck::simd {
 
-/// Attribute that forces inlining of a function. SIMD vectors must not be passed between functions
-/// that are compiled for different instruction sets.
+/// Attribute that forces inlining of a function, since SIMD vectors must not be passed between
+/// functions that are compiled for different instruction sets.
 #define FPKCHECK_INLINE inline __attribute__((always_inline))
 
 template <int W>
@@ -48,8 +48,8 @@ FPKCHECK_INLINE Real square_root(const Real& x) {
   return root;
 }
 
-/// Returns a vector that has the number of `a` in each lane with a set mask, and the number of `b`
-/// in all other lanes.
+/// Returns a SIMD vector that has the number of `a` in each lane with a set mask, and the number of
+/// `b` in all other lanes.
 FPKCHECK_INLINE double select(bool mask, double a, double b) { return mask ? a : b; }
 template <class Mask, class Real>
 FPKCHECK_INLINE Real select(const Mask& mask, const Real& a, const Real& b) {
@@ -57,8 +57,8 @@ FPKCHECK_INLINE Real select(const Mask& mask, const Real& a, const Real& b) {
   // every lane.
   return (Real)((mask & (Mask)a) | (~mask & (Mask)b));
 }
-/// Returns a vector that has the number of `a` in each lane with a set mask, and 0 in all other
-/// lanes.
+/// Returns a SIMD vector that has the number of `a` in each lane with a set mask, and 0 in all
+/// other lanes.
 FPKCHECK_INLINE double select_or_zero(bool mask, double a) { return mask ? a : 0; }
 template <class Mask, class Real>
 FPKCHECK_INLINE Real select_or_zero(const Mask& mask, const Real& a) {
@@ -112,7 +112,7 @@ FPKCHECK_INLINE void store(const Real& x, double* to) {
   __builtin_memcpy(to, &x, sizeof(Real));
 }
 
-/// Truncates each number of a vector to an integer.
+/// Truncates each number of a SIMD vector to an integer.
 /// @pre the numbers are in 0 .. 2^31 - 1
 FPKCHECK_INLINE std::int32_t truncate_to_index(double x) {
   assert(x >= 0 && x < 0x1p31);

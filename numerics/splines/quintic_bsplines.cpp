@@ -22,16 +22,16 @@ QuinticBSplines::BasisValuesAndSlopes QuinticBSplines::values_and_slopes(double 
   const int span = static_cast<int>(after - breaks_.begin()) - 1;
   BasisValuesAndSlopes values{.first = first_[span], .value = {1}, .slope = {}};
   const int last = values.first + kDegree;  // index of the last knot at the beginning of the span
-  // Cox-de Boor recursion: after step p, value[l] is the value of basis function last - p + l of
-  // degree p.
+  // Cox-de Boor recursion: after step p, value[l] is the value of the B-spline of degree p with the
+  // index last - p + l.
   std::array<double, kDegree + 1>& b = values.value;
   for (int p = 1; p <= kDegree; ++p) {
     double saved = 0;
     for (int l = 0; l < p; ++l) {
       const double low = knots_[last - p + 1 + l], high = knots_[last + 1 + l];
       const double share = b[l] / (high - low);
-      // The slope of a basis function of degree p is p (previous share - share). In this slope
-      // formula, a share is a basis function of degree p - 1 divided by the width of its support.
+      // The slope of a B-spline of degree p is p times the difference of two neighbouring B-splines
+      // of degree p - 1, each divided by the width of its support.
       if (p == kDegree && inside == x) {
         values.slope[l] -= p * share;
         values.slope[l + 1] += p * share;
@@ -50,8 +50,8 @@ std::array<double, QuinticBSplines::kDegree + 1> QuinticBSplines::second_derivat
   if (x < begin() || x > end()) return result;
   const auto after = std::upper_bound(breaks_.begin() + 1, breaks_.end() - 1, x);
   const int last = first_[after - breaks_.begin() - 1] + kDegree;
-  // The recursion of values_and_slopes() gives second derivatives if p (previous share - share)
-  // replaces the values in the last two degrees p.
+  // The recursion of values_and_slopes() gives second derivatives if the slope formula replaces the
+  // value formula for the last two degrees.
   std::array<double, kDegree + 1> b{1};
   for (int p = 1; p <= kDegree; ++p) {
     double saved = 0;
@@ -83,8 +83,8 @@ std::vector<double> QuinticBSplines::coefficients_of_monomial(int power) const {
 
 namespace {
 
-/// Returns knots at 0 and at the positive breaks `side`. If `both` is true, the mirrored breaks are
-/// also knots.
+/// Returns spline knots at 0 and at the positive breaks `side`. If `both` is true, the mirror
+/// images of the breaks are also spline knots.
 std::vector<double> mirrored_knots(const std::vector<double>& side, bool both, int multiplicity) {
   const double end = side.back();
   std::vector<double> knots;
@@ -113,7 +113,7 @@ std::vector<double> graded_knots(double begin, double end, double uniform_until,
   constexpr double kShrink = 1.25;
   const int half = begin < 0 ? cells / 2 : cells;  // number of cells on each side of 0
   const int outer = std::max(1, half / 7), inner = half - outer - shrinking_cells;
-  // Sum of the powers kShrink^-1 .. kShrink^-shrinking_cells: widths of the shrinking cells in
+  // Sum of the powers kShrink^-1 .. kShrink^-shrinking_cells, the widths of the shrinking cells in
   // units of a full cell width.
   const double shrunk = (1 - std::pow(kShrink, -shrinking_cells)) / (kShrink - 1);
   const double width = uniform_until / (inner + shrunk);

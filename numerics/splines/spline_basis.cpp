@@ -39,7 +39,7 @@ Eigen::MatrixXd SplineBasis::basis_derivatives(double x, int span, int derivativ
 }
 
 std::vector<double> graded_break_points(double end, int cells, double finest, double uniform_from) {
-  // The number of cells between 0 and x is proportional to int_0^x (1 + t/uniform_from)/(t +
+  // The number of graded cells between 0 and x is proportional to int_0^x (1 + t/uniform_from)/(t +
   // finest) dt.
   const auto count = [&](double x) {
     return x / uniform_from + (1 - finest / uniform_from) * std::log1p(x / finest);

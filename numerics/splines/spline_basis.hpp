@@ -10,11 +10,11 @@ inline constexpr int kDefaultSplineDegree = 6;
 
 /// The B-spline basis of degree p on [breaks.front(), breaks.back()], with simple inner knots and
 /// end knots of multiplicity p + 1 (de Boor, A Practical Guide to Splines). On the span from
-/// breaks[span] to breaks[span + 1], the basis functions with indices span .. span + p are nonzero
-/// and have the sum 1.
+/// breaks[span] to breaks[span + 1], the B-splines with indices span .. span + p are nonzero and
+/// have the sum 1.
 class SplineBasis {
  public:
-  /// @param breaks increasing break points, at least two
+  /// @param breaks at least two break points in increasing order
   explicit SplineBasis(std::vector<double> breaks, int degree = kDefaultSplineDegree);
 
   int degree() const { return degree_; }
@@ -24,13 +24,13 @@ class SplineBasis {
   double end() const { return breaks_.back(); }
   /// Returns knot i, 0 <= i < size() + degree() + 1; each end knot occurs degree() + 1 times.
   double spline_knot(int i) const { return knots_[i]; }
-  /// Returns the index of the span that contains x. If x is outside the interval of the breaks, the
-  /// result is the first or the last span.
+  /// Returns the index of the knot span that contains x, or of the first or last knot span if x is
+  /// outside the interval of the breaks.
   int knot_span_containing(double x) const;
 
-  /// Returns the values and derivatives at x of the degree + 1 basis functions that are nonzero on
-  /// the span.
-  /// @param derivatives largest order of derivatives
+  /// Returns the values and derivatives at x of the degree + 1 B-splines that are nonzero on the
+  /// given knot span.
+  /// @param derivatives highest order of the derivatives
   /// @return matrix of shape (derivatives + 1, degree + 1); row d has the derivatives of order d
   Eigen::MatrixXd basis_derivatives(double x, int span, int derivatives) const;
 
@@ -39,19 +39,19 @@ class SplineBasis {
   int degree_;
 };
 
-/// Returns graded break points 0 = x_0 < .. < x_cells = end. The cell width is proportional to x +
-/// finest near the origin and nearly constant beyond `uniform_from`:
+/// Returns graded break points 0 = x_0 < .. < x_cells = end. The width of a cell at x is
+/// proportional to x + finest near the origin and nearly constant beyond `uniform_from`:
 ///
 ///     cell width ~ (x + finest) / (1 + x/uniform_from),   0 < finest < uniform_from.
 std::vector<double> graded_break_points(double end, int cells, double finest, double uniform_from);
 
 /// Returns the Bezier extraction matrix, whose row l contains the Bernstein coefficients of basis
-/// function span + l on the segment from `from` to `to`. The segment may be a part of the span, and
-/// `from` may be above `to`. On a segment beyond the span, the polynomial of the span is
-/// extrapolated. Bernstein coefficient j is the blossom (polar form) with p - j arguments `from`
-/// and j arguments `to`, computed by de Boor's recursion.
-/// @tparam Real type of numbers: double, or an interval type, which gives enclosures of the
-/// coefficients
+/// function span + l on the segment from `from` to `to`. The segment may be a part of the knot
+/// span, and `from` may be above `to`. On a segment beyond the knot span, the polynomial of the
+/// knot span is extrapolated. Bernstein coefficient j is the blossom (polar form) with p - j
+/// arguments `from` and j arguments `to`, computed by de Boor's recursion.
+/// @tparam Real type of numbers: double, or an interval type, with which the result contains
+/// enclosures of the coefficients
 /// @return shape (degree + 1, degree + 1)
 template <class Real>
 Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic> bezier_extraction(const SplineBasis& basis,
