@@ -17,8 +17,8 @@ double monomial_average(double a, double b, int power) {
   return (std::pow(b, power + 1) - std::pow(a, power + 1)) / ((power + 1) * (b - a));
 }
 
-// Returns the averages avg_c(xi^a), a < stencil_size, of the cells c from `first_cell`, with
-// xi = (x - origin)/scale; row a, column c - first_cell.
+// Returns the averages of the monomials xi^a, a < stencil_size, with xi = (x - origin)/scale, over
+// the cells c from `first_cell`; row a, column c - first_cell.
 Eigen::MatrixXd monomial_averages(const GridAxis& axis, int first_cell, int stencil_size,
                                   double origin, double scale) {
   Eigen::MatrixXd averages(stencil_size, stencil_size);
@@ -30,8 +30,8 @@ Eigen::MatrixXd monomial_averages(const GridAxis& axis, int first_cell, int sten
   return averages;
 }
 
-// Returns weights w with sum_c w_c avg_c(xi^a) = functional(a), a < stencil_size, over the cells c
-// from `first_cell`, with xi = (x - origin)/scale.
+// Returns stencil weights w_c such that sum_c w_c avg_c(xi^a) = functional(a), a < stencil_size,
+// for the averages of xi^a over the cells c from `first_cell`, with xi = (x - origin)/scale.
 Eigen::VectorXd exact_stencil_weights(const GridAxis& axis, int first_cell, int stencil_size,
                                       double origin, double scale,
                                       const std::function<double(int)>& functional) {
@@ -86,8 +86,8 @@ int first_face_stencil_cell(const GridAxis& axis, int face, int stencil_size,
 }
 
 // Returns the matrix that maps cell averages to a functional of the density at every inner face,
-// such as the value of the density. The local coordinate is xi = (x - x_face)/width, and the
-// functional is divided by width^derivative.
+// such as the value of the density. The local coordinate at a cell face is xi = (x - x_face)/width,
+// and the functional is divided by width^derivative.
 AxisOperator inner_face_operator(const GridAxis& axis, int stencil_size,
                                  UpstreamSideOfFace upstream_side, int derivative,
                                  const std::function<double(int)>& functional) {
@@ -232,8 +232,8 @@ AxisOperator weighted_average_operator(const GridAxis& axis, int stencil_size,
   const std::size_t degree = weight.degree();
   for (int i = 0; i < axis.cell_count(); ++i) {
     const int first = first_stencil_cell(axis, i, stencil_size, barrier);
-    // Repeated Horner division expands the polynomial weight(x) about the cell centre x_i:
-    // weight(x_i + h_i xi) = sum_q local[q] xi^q, with the cell width h_i.
+    // Horner division expands the polynomial weight(x) about the cell centre x_i: weight(x_i + h_i
+    // xi) = sum_q local[q] xi^q, with the cell width h_i.
     auto local = weight.coefficients();
     for (std::size_t q = 0; q <= degree; ++q) {
       for (std::size_t s = degree; s-- > q;) local[s] += axis.cell_centre(i) * local[s + 1];

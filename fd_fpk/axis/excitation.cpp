@@ -106,7 +106,8 @@ FastestGrowingWave fastest_growing_wave(const GridAxis& axis,
   constexpr int kWaves = 2000;
   const Eigen::ArrayXd phases =
       Eigen::ArrayXd::LinSpaced(kWaves, std::numbers::pi / kWaves, std::numbers::pi);
-  // The loop sums row(middle + j) cos(j phase) over j; a three-term recurrence gives the cosines.
+  // The growth rate of a wave is the sum of row(middle + j) cos(j phase) over j, with the cosines
+  // from a three-term recurrence.
   const Eigen::ArrayXd twice = 2 * phases.cos();
   Eigen::ArrayXd rates = Eigen::ArrayXd::Constant(kWaves, row(middle));
   Eigen::ArrayXd before = Eigen::ArrayXd::Ones(kWaves), cosines = twice / 2;
@@ -163,8 +164,7 @@ double shortest_stable_regularisation_length(const problem::ImpulseTrain& impuls
     });
   };
   if (!too_short(min_length)) return min_length;
-  // The loop terminates, since for long lengths the diffusion (second difference) dominates the
-  // fourth difference.
+  // The loop ends, since for long regularisation lengths diffusion dominates the fourth difference.
   double shorter = min_length, longer = kStep * min_length;
   for (; too_short(longer); longer *= kStep) shorter = longer;
   while (longer > kClose * shorter) {

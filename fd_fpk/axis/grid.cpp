@@ -42,7 +42,7 @@ double graded_cell_count(double length, double step, const CellGrading& grading)
 
 std::vector<double> graded_cell_faces(double length, int cells, const CellGrading& grading) {
   // With exactly uniform cell faces the stencil weights that are 0 in exact arithmetic are also 0
-  // in floating point, and the operator is sparse.
+  // in floating-point arithmetic, so that the operator matrix is sparse.
   std::vector<double> uniform(cells + 1);
   for (int f = 0; f <= cells; ++f) uniform[f] = length * f / cells;
   if (grading.reach == 0) return uniform;
@@ -75,8 +75,8 @@ std::vector<double> cell_faces_graded_to_points(double from, double to, double s
     const int count = std::max(1, static_cast<int>(std::ceil(last - first - 1e-9)));
     for (int k = 1; k < count; ++k) {
       const double wanted = first + (last - first) * k / count;
-      // On a symmetric axis, bisection places a cell face at exactly 0. The class ConservativeRemap
-      // treats a face at 0 as a special case.
+      // On a symmetric axis, bisection places a cell face at exactly x = 0. The class
+      // ConservativeRemap treats a cell face at x = 0 as a special case.
       double below = faces.back(), above = ends[n + 1];
       for (int bisection = 0; bisection < 60; ++bisection) {
         const double middle = (below + above) / 2;

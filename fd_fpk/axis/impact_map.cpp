@@ -78,8 +78,8 @@ AxisOperator exact_impact_map(const GridAxis& speed_axis, const problem::Wall& w
   Eigen::VectorXd below = Eigen::VectorXd::Zero(cells + 1);
   for (int a = 0; a < cells; ++a) {
     Eigen::VectorXd above = Eigen::VectorXd::Zero(cells + 1);
-    // The last speed cell receives the probability flux of every higher speed, so that the total
-    // flux is conserved.
+    // The last speed cell receives the flux of all higher speeds, so that the total flux is
+    // conserved.
     const double face = a + 1 == cells
                             ? speed_axis.face_position(cells)
                             : problem::speed_before_impact(wall, speed_axis.face_position(a + 1));

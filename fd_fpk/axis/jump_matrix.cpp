@@ -23,9 +23,9 @@ std::vector<numerics::QuadraturePoint> gauss_points_on_short_panels(double a, do
       a, b, std::max(1, static_cast<int>(std::ceil((b - a) / max_panel_width))));
 }
 
-// C_0, C_1, .., C_cells are the values of the cumulative distribution C at the faces. Column f of
-// `change` contains the weights of C_0 .. C_cells in E[C(x_f - Y)] - C_f, the mean change of C by
-// an impulse at the face x_f.
+// C_0, C_1, .., C_cells are the values of the cumulative distribution C at the cell faces. Column f
+// of the matrix `change` contains the weights of C_0 .. C_cells in E[C(x_f - Y)] - C_f, the mean
+// change of the cumulative distribution at the face x_f by an impulse of amplitude Y.
 Eigen::MatrixXd generator_matrix(const GridAxis& axis,
                                  const SpeedDistributionInterpolation& cumulative,
                                  const Eigen::MatrixXd& change) {
@@ -44,7 +44,8 @@ Eigen::MatrixXd generator_matrix(const GridAxis& axis,
   return axis.cell_widths().cwiseInverse().asDiagonal() * generator;
 }
 
-// Returns whether the four cells on each side of the face are wider than length = E[Y^8]^(1/8).
+// Returns whether the four cells on each side of the face are wider than the length E[Y^8]^(1/8) of
+// the impulse amplitude Y.
 bool are_cells_wider_than_impulses(const GridAxis& axis, int face, double length) {
   for (int cell = face - kMoments / 2; cell < face + kMoments / 2; ++cell) {
     if (length >= axis.cell_width(cell)) return false;
@@ -52,8 +53,9 @@ bool are_cells_wider_than_impulses(const GridAxis& axis, int face, double length
   return true;
 }
 
-// Adds the weights of E[C(face - Y)] - C(face), where the polynomial through the face and the
-// neighbouring faces approximates C.
+// Adds the weights of the face values in E[C(face - Y)] - C(face), where the cumulative
+// distribution C is approximated by the polynomial through the values at the face and the
+// neighbouring faces.
 void add_moment_expansion(const GridAxis& axis, int face, const problem::ImpulseLaw& law,
                           Eigen::Ref<Eigen::VectorXd> weights) {
   constexpr int kAround = kMoments / 2;
@@ -82,12 +84,14 @@ void add_moment_expansion(const GridAxis& axis, int face, const problem::Impulse
   }
 }
 
-// Adds the weights of E[C(face - Y); Y in [from, to]] for the continuous part of a law.
+// Adds the weights of the contribution of amplitudes Y in [from, to] to E[C(face - Y)], for the
+// cumulative distribution C and the continuous part of the law of Y.
 void add_continuous_piece(const GridAxis& axis, const SpeedDistributionInterpolation& cumulative,
                           double face, const problem::ImpulseLaw& law, double from, double to,
                           Eigen::Ref<Eigen::VectorXd> weights) {
   const double longest = law.amplitude_standard_deviation();
-  // The interpolating polynomial of C(u), with u = face - y, changes where u is a face of the axis.
+  // The interpolating polynomial of the cumulative distribution C(u), with u = face - y, changes
+  // where u is a cell face of the axis.
   const double left = std::max(face - to, axis.faces().front());
   const double right = std::min(face - from, axis.faces().back());
   const auto& faces = axis.faces();
@@ -147,14 +151,14 @@ Eigen::MatrixXd jump_matrix(const GridAxis& axis, const problem::ImpulseLaw& law
 
 namespace {
 
-// Returns the upper end of a velocity cell. The end of the last cell is infinite, since the last
-// cell receives all mass above the axis.
+// Returns the upper end of a velocity cell. The upper end of the last velocity cell is infinite,
+// since the last cell receives all mass above the axis.
 double upper_end_of_cell(const GridAxis& axis, int cell) {
   return cell + 1 < axis.cell_count() ? axis.face_position(cell + 1)
                                       : std::numeric_limits<double>::infinity();
 }
 
-// Adds the jumps of a law with a density, by quadrature over four points of the source cell.
+// Adds the velocity jumps by a law with a density, with four quadrature points in the source cell.
 void add_density_jumps(const GridAxis& axis, const problem::ImpulseLaw& law, int from,
                        CellJumpMatrices& jumps) {
   for (const auto& [at, weight] : numerics::composite_gauss_points<4>(-0.5, 0.5, 1)) {
@@ -171,8 +175,8 @@ void add_density_jumps(const GridAxis& axis, const problem::ImpulseLaw& law, int
   }
 }
 
-// Adds the jumps by a single atom of the law: each target cell receives its overlap with the
-// shifted source cell.
+// Adds the velocity jumps by one atom of the impulse law: the fraction of mass in each target cell
+// is the overlap of the target cell with the shifted source cell.
 void add_atom_jumps(const GridAxis& axis, const problem::AmplitudeAtom& atom, int from,
                     CellJumpMatrices& jumps) {
   const double left = axis.face_position(from) + atom.amplitude;

@@ -11,26 +11,28 @@ class ImpulseLaw;
 /// Velocity jumps as matrices on the cell averages of a velocity axis, shape (cells, cells).
 /// Polynomials of degree 7 interpolate the cumulative distribution of the density p. The velocity
 /// moments of order 0 to 6 after an impulse are exact where the density is smooth. Velocity jumps
-/// to outside the axis are omitted.
+/// to velocities outside the axis are omitted.
 namespace fpkcheck::fd_fpk {
 
-/// Returns the matrix of a velocity jump by a fixed amplitude, p(x2 - amplitude) - p(x2).
+/// Returns the matrix of p(x2 - amplitude) - p(x2) for a velocity jump by a fixed amplitude.
 Eigen::MatrixXd jump_matrix_of_fixed_amplitude(const GridAxis& axis, double amplitude);
 
-/// Returns the matrix of a velocity jump by a random amplitude Y, E[p(x2 - Y)] - p(x2). The matrix
-/// discretises the jump integral of paper (15) before the expansion of the integral, for any law.
-/// Gauss-Legendre panels integrate the product of the law's density and the interpolation.
+/// Returns the matrix of the jump integral E[p(x2 - Y)] - p(x2) for a velocity jump by a random
+/// amplitude Y. The matrix discretises the jump integral before the series expansion of paper (15),
+/// for any law of the impulse amplitude. Gauss-Legendre panels integrate the product of the
+/// probability density of the amplitude and the interpolated density p.
 Eigen::MatrixXd jump_matrix(const GridAxis& axis, const problem::ImpulseLaw& law);
 
 /// Matrices that map the masses of velocity cells before an impulse to the masses of the cells
-/// after the impulse. Without interpolation across cells, a spike of the density in a cell remains
-/// a positive mass.
+/// after the impulse. The cell masses are not interpolated across cells, so that a spike of the
+/// density remains a positive mass.
 struct CellJumpMatrices {
-  /// Jump matrix for mass that is uniform in each velocity cell, shape (cells, cells); every column
-  /// sums to 1. Mass that an impulse would move outside the axis remains in the outermost cell.
+  /// Jump matrix, shape (cells, cells), for mass that is uniformly distributed in each velocity
+  /// cell; the sum of every column is 1. Mass that an impulse would move outside the axis remains
+  /// in the outermost cell.
   Eigen::MatrixXd uniform;
-  /// Jump matrix for mass with the density (v - centre) / width in each velocity cell; every column
-  /// sums to 0.
+  /// Jump matrix for the linear density (v - centre) / width in each velocity cell, with the
+  /// velocity v; the sum of every column is 0.
   Eigen::MatrixXd slope;
 };
 
