@@ -15,19 +15,20 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 constexpr double kCellWidth = 0.2;  // cell width far from rest points, in typical amplitudes
-// Decrease of the cell widths towards singularities of the density other than the origin, in units
-// of the typical amplitude.
+// Distance from a singularity of the density other than the origin over which the cell widths
+// decrease, in units of the typical amplitude.
 constexpr double kSpikeReach = 0.25;
 constexpr double kSpikeCore = 0.005;
 
-// Returns the mean acceleration towards the wall due to impulses of nonzero mean.
+// Returns the mean acceleration towards the wall due to impulses of nonzero mean amplitude.
 double mean_acceleration_to_wall(const problem::Problem& problem) {
   return std::max(0.0, -problem.impulses.rate_times_moment(1));
 }
 
 // Returns the standard deviation of the speed, also for short flights between impacts under a mean
-// acceleration G towards the wall. The input power D2 of the impulses equals the dissipated power c
-// v^2 + (1 - r^2) G v / 4.
+// acceleration G towards the wall. In the power balance for the speed v, the input power D2 of the
+// impulses equals the dissipated power c v^2 + (1 - r^2) G v / 4, with the damping coefficient c
+// and the restitution coefficient r.
 double speed_deviation(const problem::Problem& problem) {
   const double linear = problem::equivalent_linearisation(problem).velocity_deviation;
   const double r = problem.system.restitution(), c = problem.system.damping();
@@ -49,7 +50,7 @@ double typical_height(const problem::Problem& problem, const DeterministicFlow& 
   return std::min(flow.half_cycle(speed).height, bounce);
 }
 
-// Returns the value that the impulse amplitude |Y| exceeds with the given probability.
+// Returns the value that the absolute impulse amplitude |Y| exceeds with the given probability.
 double impulse_quantile(const problem::ImpulseLaw& law, double probability) {
   double amplitude = std::sqrt(law.moment(2));
   while (1 - law.cumulative_probability(amplitude) + law.cumulative_probability(-amplitude) >
@@ -64,10 +65,11 @@ struct DensitySingularities {
   std::vector<double> y, v;
 };
 
-// Returns the amplitudes and speeds of spikes and discontinuities. An atom of the impulse law moves
-// mass at rest to a single speed. The density has spikes at turning points and impact speeds of the
-// characteristic that starts with the amplitude of an atom. A law whose density begins with a step
-// causes a discontinuity at the speed of the step.
+// Returns the amplitudes and speeds at which the density has spikes and discontinuities. An atom of
+// the impulse law moves mass at rest to a single speed. The stationary density has spikes at
+// turning points and impact speeds of the characteristic whose start speed is the amplitude of an
+// atom. An impulse law whose density begins with a step causes a discontinuity of the stationary
+// density at the speed of the step.
 DensitySingularities density_singularities(const problem::Problem& problem,
                                            const DeterministicFlow& flow, double typical_speed) {
   constexpr int kHalfCycles = 6;
@@ -83,7 +85,7 @@ DensitySingularities density_singularities(const problem::Problem& problem,
       found.y.push_back(half_cycle.height);
       found.v.push_back(speed);
       found.v.push_back(half_cycle.impact_speed);
-      // The density spikes of two half-cycles with nearly equal amplitudes are not separate.
+      // Density spikes of half-cycles with nearly equal amplitudes are not resolved separately.
       const double next = problem.system.restitution() * half_cycle.impact_speed;
       if (next > kApart * speed) break;
       speed = next;
@@ -98,7 +100,8 @@ DensitySingularities density_singularities(const problem::Problem& problem,
   return found;
 }
 
-// Returns the origin and the singularities as refinement points, without nearly coincident points.
+// Returns the origin and the singularities of the density as refinement points of an axis, without
+// nearly coincident points.
 std::vector<RefinementPoint> refinement_points(double typical, double core,
                                                std::vector<double> singular) {
   const CellGrading to_spike{.reach = kSpikeReach * typical, .core = kSpikeCore * typical};
@@ -149,16 +152,16 @@ PhasePlaneBox initial_box_from_linearised_scales(const problem::Problem& problem
   return {.x1_max = options.x1_max.value_or(y_max), .x2_max = v_max};
 }
 
-// Speed, in typical speeds, below which impacts at a contact are treated as a cascade
+// Speed, in typical speeds, below which impacts at a rest point in contact count as a cascade
 constexpr double kContactCore = 0.02;
 // Limits of the distance to an equilibrium, in typical amplitudes, below which cells have a
 // constant width: kLeastCore for rare impulses, kMostCore for frequent impulses. Around an
-// equilibrium between walls, the errors of cells on opposite sides of the equilibrium cancel in the
-// mean. Towards an equilibrium at a wall the cell widths decrease further, to
+// equilibrium between walls, the discretisation errors on opposite sides of the equilibrium cancel
+// in the mean. Towards an equilibrium at a wall the cell widths decrease further, to
 // uniform_cell_radius_at_rest_point().
 constexpr double kLeastCore = 1e-3, kMostCore = 0.1, kNothingLeft = 40;
 
-// Returns the typical distance to an equilibrium to which the motion decays between two impulses.
+// Returns the typical distance to an equilibrium after the decay of motion between two impulses.
 double equilibrium_core_distance(const problem::Problem& problem,
                                  const problem::MotionScales& scales, bool is_at_wall) {
   const double impulses = problem::impulses_per_decay_time(problem, scales);
@@ -178,11 +181,11 @@ bool is_at_wall(const DeterministicFlow& flow, const RestPoint& point) {
 
 // Factors of the cell widths for motion along a limit cycle. For 3*(y^2-1)*v + y under impulses of
 // rate 1 and intensity 0.5 the estimated L1 error of p(y) within the default time limit is 0.008
-// with the factors 0.3 and 1.5, 0.012 with the factors 0.5 and 1.5, and 0.041 with the factors 0.5
-// and 1.
+// with the factors 0.3 for y and 1.5 for v, 0.012 with the factors 0.5 and 1.5, and 0.041 with the
+// factors 0.5 and 1.
 constexpr double kLimitCycleFactorY = 0.3, kLimitCycleFactorV = 1.5;
 
-// Returns the rest points, or the equilibria that a limit cycle encloses.
+// Returns the displacements of all rest points, or of the equilibria that a limit cycle encloses.
 std::vector<double> centres_of_motion(const DeterministicFlow& flow) {
   std::vector<double> centres;
   for (const RestPoint& point : find_rest_points(flow)) centres.push_back(point.y);
@@ -218,8 +221,8 @@ TypicalMotionScales typical_scales(const problem::Problem& problem,
   for (const RestPoint& point : found.points) {
     const double length = distance_from(point.y);
     if (point.contact) {
-      // The first cell in y is as wide as the height of a flight whose initial speed is the width
-      // of the first cell in v.
+      // The first cell in the displacement y is as wide as the height of a flight whose initial
+      // speed is the width of the first cell in the velocity v.
       const double slow = kCellWidth * kContactCore * found.speed;
       const double height = slow * slow / (2 * std::abs(flow.static_force(point.y)));
       found.core_y.push_back(height / kCellWidth);

@@ -16,16 +16,17 @@ namespace {
 
 // Number of straight chords that represent the path of one time step in the phase plane.
 constexpr int kChords = 10;
-// Duration of a characteristic, in mean times between impulses; a longer flight is negligible.
+// Maximum duration of a characteristic, in mean times between impulses; the mass that receives no
+// impulse for a longer time is negligible.
 constexpr double kMaxDecayTimes = 40;
 constexpr long kMostSteps = 20000;
 // Maximum duration of a characteristic along a limit cycle, in mean times between impulses. Mass
-// without an impulse until then continues from the cell of the last state: a fraction of 9e-4 of
-// the mass at the beginning of the characteristic, and a larger fraction of mass that starts later.
-// For the example `relaxation` the residual of the power balance is 1.4e-3 with this duration,
-// 1.1e-3 with twice the duration, and 4.6e-3 with a duration of 4.
+// that receives no impulse before the maximum duration continues from the cell of the last state: a
+// fraction of 9e-4 of the mass at the beginning of the characteristic, and a larger fraction of
+// mass that starts later. For the example `relaxation` the residual of the power balance is 1.4e-3
+// with the maximum duration 7, 1.1e-3 with 14, and 4.6e-3 with 4 mean times between impulses.
 constexpr double kMaxCycleDecayTimes = 7;
-// Lower limit of the flux of area, which decays to zero for overdamped motion.
+// Lower limit of the area flux of a characteristic, which decays to zero for overdamped motion.
 constexpr double kLeastFlux = 1e-200;
 
 int cell_index_at(const GridAxis& axis, double x) {
@@ -146,9 +147,9 @@ void Characteristics::trace_characteristics_from_box_edges(int characteristics_p
   from_outside_ = trace_characteristics(starts);
 }
 
-// At a wall with a rest point of the motion no characteristic starts in the innermost cell. Motion
-// from the innermost cell of a contact is a cascade of impacts. Mass in the innermost cell of an
-// equilibrium at a wall counts as at rest.
+// At a wall with a rest point of the motion no characteristic starts in the innermost cell of the
+// rest point. Motion from the innermost cell of a rest point in contact is a cascade of impacts.
+// Mass in the innermost cell of an equilibrium at a wall counts as mass at rest.
 void Characteristics::trace_characteristics_from_wall(WallSide side, int characteristics_per_cell) {
   const int middle = grid_.v_cell_count() / 2;
   const double y = flow_.wall(side)->position;
@@ -188,11 +189,11 @@ void Characteristics::sort_wall_characteristics() {
 }
 
 // Traces characteristics that start at the faces through which the motion enters a cell, for each
-// cell whose area the strips do not cover. Inside a limit cycle no strip covers the cells, since
-// all motion there starts near an unstable equilibrium and none enters through the sides of the
-// computational box. The strips of the new characteristics cover the missing fraction of the cell
-// area. Cells are treated by increasing energy, since motion away from an unstable equilibrium
-// passes cells of lower energy first.
+// cell whose area is not covered by the strips of other characteristics. Inside a limit cycle the
+// cells are not covered, since motion inside the limit cycle starts near an unstable equilibrium
+// instead of a side of the computational box. The strips of the additional characteristics cover
+// the missing fraction of the cell area. Cells are processed in the order of increasing energy,
+// since motion away from an unstable equilibrium passes cells of lower energy first.
 void Characteristics::trace_characteristics_from_uncovered() {
   constexpr double kMissing = 0.3;  // largest accepted fraction of the area without strips
   constexpr double kInside = 1e-9;  // distance of the starts from the faces, in cell widths
@@ -233,8 +234,8 @@ void Characteristics::trace_characteristics_from_uncovered() {
 }
 
 // Traces a characteristic from each cell that no other characteristic crosses, where the flow
-// converges strongly. The narrow strip about such a characteristic has a negligible area in other
-// cells.
+// converges strongly. The narrow strip about a characteristic from an uncrossed cell has a
+// negligible area in other cells.
 void Characteristics::trace_through_uncrossed_cells() {
   constexpr double kNarrow = 1e-9;
   std::vector<bool> crossed = at_rest_;
@@ -254,7 +255,7 @@ void Characteristics::trace_through_uncrossed_cells() {
   }
 }
 
-// Returns the index of the equilibrium whose innermost cells contain the motion from the state.
+// Returns the index of the equilibrium whose innermost cells contain the given state of the motion.
 std::optional<int> Characteristics::equilibrium_with_cells_containing(const PhaseState& at) const {
   const int cell =
       cell_index_at(grid_.x1, at.y) * grid_.v_cell_count() + cell_index_at(grid_.x2, at.v);
@@ -316,8 +317,8 @@ void Characteristics::trace_characteristic(const TraceStart& start,
     return out_of_time_ || part.out_of_time ||
            visit_count + own_visits() > kMaxCharacteristicCellVisits;
   };
-  // Smallest ratio of the smaller to the larger of the current energy and an earlier energy at
-  // which the accessible interval of the earlier state is reused
+  // An accessible interval of displacements is reused for a later state if the ratio of the smaller
+  // to the larger of the two energies is at least kReuseRatio
   constexpr double kReuseRatio = 0.7;
   Characteristic track{.first = at.first, .last = 0, .energy = flow_.mechanical_energy(from)};
   AccessibleDisplacements accessible_displacements = flow_.accessible_displacements(from);
@@ -325,7 +326,7 @@ void Characteristics::trace_characteristic(const TraceStart& start,
   for (long step = 0;; ++step) {
     if ((track.characteristic_end.rest = equilibrium_with_cells_containing(at.state))) break;
     if (must_stop_tracing() || (step > kMostSteps && rate_ * time > kMaxDecayTimes)) break;
-    // Along a limit cycle no rest point ends the characteristic.
+    // Along a limit cycle no rest point ends a characteristic, so that its duration is limited.
     if (rest_.empty() && rate_ * time > kMaxCycleDecayTimes) break;
     const double left =
         flow_.mechanical_energy(at.state) - accessible_displacements.least_potential;
@@ -358,7 +359,7 @@ void Characteristics::trace_characteristic(const TraceStart& start,
   part.tracks.push_back(track);
 }
 
-// Motion that leaves a wall with a rest point within the innermost cells ends at the rest point.
+// Motion that leaves a wall within the innermost cells of a rest point comes to rest.
 void Characteristics::set_characteristic_end_at_wall(WallSide side, double speed,
                                                      CharacteristicEnd& characteristic_end) const {
   characteristic_end.wall = side;
@@ -382,8 +383,8 @@ void Characteristics::record_cell_visits(TracingState& at, const PhaseState& to,
   std::vector<CharacteristicCellVisit>& visits = part.visits;
   const PhaseState from = at.state;
   const double dy = to.y - from.y, dv = to.v - from.v;
-  // The flow contracts areas over the chord by the factor exp(-x), on average by (1 - exp(-x)) / x
-  // (Liouville).
+  // Over one chord of a characteristic the flow contracts areas by the factor exp(-x), on average
+  // by (1 - exp(-x)) / x (Liouville).
   const double x = flow_.contraction_rate({(from.y + to.y) / 2, (from.v + to.v) / 2}) * time;
   const double mean = mean_of_decay(x);
   const double flux = std::max(kLeastFlux, at.flux * mean);
@@ -391,8 +392,8 @@ void Characteristics::record_cell_visits(TracingState& at, const PhaseState& to,
   at.state = to;
   double done = 0;
   while (true) {
-    // Positions along the chord of the next cell faces in y and in v, as fractions of the chord
-    // length; above 1 for faces beyond the chord
+    // Positions of the next cell faces in y and in v along a chord, as fractions of the chord
+    // length; above 1 for faces beyond the end of the chord
     double y_face = 2, v_face = 2;
     if (dy > 0 && at.i + 1 < grid_.nx()) y_face = (grid_.x1.faces()[at.i + 1] - from.y) / dy;
     if (dy < 0 && at.i > 0) y_face = (grid_.x1.faces()[at.i] - from.y) / dy;
@@ -433,9 +434,9 @@ void Characteristics::record_cell_visits(TracingState& at, const PhaseState& to,
   }
 }
 
-// Converts the area of each cell visit to a fraction of the cell area. The position of a cell
-// visit, first relative to the cell centre, becomes relative to the mean position of all visits to
-// the cell.
+// Converts the area of each cell visit to a fraction of the cell area, and the position of each
+// cell visit from the distance to the cell centre to the distance to the mean position of all
+// visits to the cell.
 void Characteristics::normalise_characteristic_areas() {
   struct Cover {
     double area = 0, y = 0, v = 0;
@@ -502,8 +503,8 @@ Characteristics::rest_mass_distributions_after_impulse(const problem::ImpulseLaw
   for (const int contact : contacts_) {
     const WallSide side = *rest_[contact].contact;
     const double r = flow_.wall(side)->restitution;
-    // Probability of a speed below u after an impulse off the wall, and probability of a speed
-    // above u after an impulse into the wall
+    // Probability that an impulse off the wall gives a speed below u, and probability that an
+    // impulse into the wall gives a speed above u
     const auto slower_off = [&](double u) {
       return side == WallSide::left ? law.cumulative_probability(u)
                                     : 1 - law.cumulative_probability(-u);
@@ -512,7 +513,7 @@ Characteristics::rest_mass_distributions_after_impulse(const problem::ImpulseLaw
       return side == WallSide::left ? law.cumulative_probability(-u)
                                     : 1 - law.cumulative_probability(u);
     };
-    // Probability that the speed after an impulse on mass at rest is between 0 and u
+    // Probability that an impulse on mass at rest gives a speed between 0 and u
     const auto slower = [&](double u) {
       return std::isinf(u) ? 1.0 : slower_off(u) - faster_into(u / r);
     };
@@ -526,8 +527,8 @@ Characteristics::rest_mass_distributions_after_impulse(const problem::ImpulseLaw
           slower(above) - slower(wall_characteristics.below[k]);
     }
     departures.rest_fraction = slower(wall_characteristics.below.back());
-    // The means E[Y^-] and E[(Y^-)^2], with Y^- = max(-Y, 0), are integrated by parts between the
-    // breakpoints of the law, and summed over atoms.
+    // The means E[Y^-] and E[(Y^-)^2], with Y^- = max(-Y, 0) and the impulse amplitude Y, are
+    // integrated by parts between the breakpoints of the law of Y, and summed over its atoms.
     const double into = side == WallSide::left ? -1 : 1;
     std::vector<double> ends{0};
     for (const double end : law.amplitude_density_breakpoints()) {

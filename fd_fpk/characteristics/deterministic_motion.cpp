@@ -11,8 +11,9 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Largest product of the damping coefficient and the Runge-Kutta time step. The stability limit on
-// the negative real axis is 2.78; up to 0.75 the computed decay is accurate.
+// Largest product of the damping coefficient and the Runge-Kutta time step. The stability limit of
+// the Runge-Kutta method on the negative real axis is 2.78; for products up to 0.75 the computed
+// decay is accurate.
 constexpr double kStability = 0.75;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -51,9 +52,10 @@ double DeterministicFlow::contraction_rate(const PhaseState& state) const {
   return system_.force_slope_in_v(state.y, state.v);
 }
 
-// Returns the exact solution after a time step for forces linearised about the state. The solution
-// consists of exponentials of the roots s of s^2 + f_v s + (f_y + g') = 0. The roots are real
-// whenever a step exceeds the stability limit of explicit methods.
+// Returns the exact solution after a time step for forces linearised about the state. The exact
+// solution consists of exponentials exp(s t) with the roots s of s^2 + f_v s + (f_y + g') = 0,
+// where f is the damping force and g the restoring force. The roots s are real whenever a time step
+// exceeds the stability limit of explicit methods.
 PhaseState DeterministicFlow::advance_overdamped(const PhaseState& from, double duration) const {
   const auto [slow, fast, v_slow, v_fast] = overdamped_modes(from);
   return {from.y + v_slow * integrated_exponential(slow, duration) +
@@ -99,8 +101,8 @@ double DeterministicFlow::max_time_step(
     const PhaseState& from, const AccessibleDisplacements& accessible_displacements) const {
   // Largest relative change of the oscillator state in one time step, in the energy norm
   constexpr double kChange = 0.1;
-  // Near a saddle, and without a force, the rate of change of the state is small but increases
-  // quickly, so that the step also needs the limits kLongest and kIntervalFraction.
+  // Near a saddle, and where the force is zero, the rate of change of the state is small but may
+  // increase quickly, so that kLongest and kIntervalFraction also limit the time step.
   constexpr double kLongest = 0.3, kIntervalFraction = 0.1;
   const double size = std::sqrt(
       2 * std::max(0.0, mechanical_energy(from) - accessible_displacements.least_potential));
@@ -118,7 +120,7 @@ double DeterministicFlow::max_time_step(
   const double damping = contraction_rate(from);
   if (damping * span <= kStability) return span;
   if (!is_overdamped(from)) return kStability / damping;
-  // The fast mode of overdamped motion may change the sign of v and curve the path at first.
+  // At first, the fast mode of overdamped motion may reverse the velocity and curve the trajectory.
   constexpr double kDecayed = 0.05, kNone = 1e-300;
   const OverdampedModes modes = this->overdamped_modes(from);
   const double smooth =
@@ -126,14 +128,14 @@ double DeterministicFlow::max_time_step(
   return std::max(kStability / damping, std::min({free, smooth, across}));
 }
 
-// Returns the longest step, of `duration` divided by powers of 2, that agrees with two half steps.
-// The force and its slopes at one state do not determine an accurate time step, because a formula
-// such as tanh(20 v) may change sharply within the step.
+// Returns the longest time step, `duration` divided by a power of 2, whose result agrees with the
+// result of two half steps. The force and its slopes at one state do not determine an accurate time
+// step, because a force such as tanh(20 v) may change sharply within the step.
 double DeterministicFlow::resolved_time_step(const PhaseState& from, double duration, double size,
                                              double frequency) const {
-  // Largest error of a step relative to the state, in the energy norm. With the value 1e-8 of
-  // kError, E[y^2] of 0.02*v + 0.1*tanh(20*v) + y at a wall changes by a relative 5e-6 (`fpkcheck
-  // fd --transport characteristics`).
+  // Largest accepted error of a time step relative to the state, in the energy norm. With the value
+  // 1e-8 instead of 1e-6 of the error limit, E[y^2] for the force 0.02*v + 0.1*tanh(20*v) + y at a
+  // wall changes by a relative 5e-6 (`fpkcheck fd --transport characteristics`).
   constexpr double kError = 1e-6;
   constexpr int kMostHalvings = 20;
   PhaseState full = advance_state(from, duration);
@@ -158,7 +160,7 @@ double DeterministicFlow::largest_stiffness(double low, double high) const {
   inspect(high);
   for (const double y : stiffness_extrema_) inspect(y);
   if (!system_.has_polynomial_force()) {
-    // If the largest stiffness lies between the sampled displacements, resolved_time_step()
+    // If the stiffness has a larger maximum between the sampled displacements, resolved_time_step()
     // shortens the time step.
     constexpr int kIntervals = 16;
     for (int n = 1; n < kIntervals; ++n) inspect(low + (high - low) * n / kIntervals);
@@ -166,7 +168,7 @@ double DeterministicFlow::largest_stiffness(double low, double high) const {
   return largest;
 }
 
-// The potential is monotone between its extrema, and increases beyond the outermost extrema.
+// The potential is monotone between its extrema, and increases beyond its outermost extrema.
 double DeterministicFlow::end_of_accessible_interval(double y, double energy, WallSide side) const {
   const double sign = -inward_sign(side);
   const auto inside = [&](double at) { return potential_(at) < energy; };
@@ -255,9 +257,9 @@ double DeterministicFlow::impact_time(const PhaseState& from, double duration,
   assert(distance_from_wall(advance_state(from, duration).y, side) <= 0);
   double before = 0, until = duration;
   const double distance_now = distance_from_wall(from.y, side);
-  // The initial guess of the impact time is the time at which the chord of the path meets the wall.
-  // For a flight that starts at the wall, the initial guess of the impact time is half of the time
-  // step.
+  // The initial guess of the impact time is the time at which the straight chord of the trajectory
+  // reaches the wall. For a flight that starts at the wall, the initial guess of the impact time is
+  // half of the time step.
   double guess =
       distance_now > 0
           ? duration * distance_now /

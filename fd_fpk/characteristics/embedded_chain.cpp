@@ -65,8 +65,8 @@ void MarkovChainAggregation::set_chain_of_cell_blocks(
     system.col(b) = one - step(one);
     one(b) = 0;
   }
-  // The singular matrix I - A of a Markov chain becomes nonsingular by the added term start 1^T,
-  // with `start` proportional to the areas of the blocks of cells.
+  // The singular matrix I - A of a Markov chain with the transition matrix A becomes nonsingular by
+  // the added term start 1^T, with `start` proportional to the areas of the blocks of cells.
   Eigen::VectorXd added = Eigen::VectorXd::Zero(count);
   added.head(blocks_.size()) = blocks_.cell_areas() / blocks_.cell_areas().sum();
   system.colwise() += added;
@@ -136,15 +136,15 @@ class EmbeddedMarkovChain {
     return apply_jump(ended) + continuing;
   }
 
-  // Applies the transport operator, which maps the state after an impulse to the state before the
-  // next impulse.
+  // Applies the transport operator: maps masses after an impulse to masses before the next impulse.
   TransportOperator::TransportedMasses apply_flow(const Eigen::VectorXd& masses_after_impulse,
                                                   ImpactSumsOfBothWalls* impacts = nullptr) const {
     return transport_(masses_after_impulse,
                       has_slopes_ ? slopes_after_(masses_after_impulse) : zero_slopes(), impacts);
   }
 
-  // Applies the velocity jumps, q = J p, except to mass in contact, which transport_ treats.
+  // Applies the velocity jumps to all mass except the mass at rest in contact, whose jumps the
+  // transport operator includes.
   Eigen::VectorXd apply_jump(const Eigen::VectorXd& masses_before_impulse) const {
     Eigen::VectorXd masses_after_impulse = masses_before_impulse;
     const Eigen::VectorXd slopes =
@@ -193,12 +193,12 @@ class EmbeddedMarkovChain {
   bool has_slopes_ = false;
 };
 
-// Tolerances of the residual of the embedded Markov chain, in the L1 norm; the first, rough
-// solution only determines the slope limiter.
+// Tolerances of the residual of the embedded Markov chain, in the L1 norm; the rough tolerance is
+// for the first solution, which only determines the slope limiter.
 constexpr double kChainTolerance = 1e-10, kRoughChainTolerance = 1e-9;
 
-// Adds to q, of mass 1, the solution d, of mass 0, of d - A d + q (1, d) = A q - q, where A is a
-// step of the chain.
+// Adds to the density q of mass 1 the correction d of mass 0 that solves d - A d + q (1, d) = A q -
+// q, where A is one step of the embedded Markov chain.
 void solve_chain_by_gmres(const EmbeddedMarkovChain& chain,
                           const MarkovChainAggregation& aggregation, double tolerance,
                           const base::Deadline& deadline, Eigen::VectorXd& masses_after_impulse,
@@ -224,8 +224,8 @@ void solve_chain_by_gmres(const EmbeddedMarkovChain& chain,
   masses_after_impulse /= masses_after_impulse.sum();
 }
 
-// Under many impulses per decay time the chain converges slowly and requires more blocks than under
-// rare impulses.
+// Under many impulses per decay time the embedded Markov chain converges slowly and requires more
+// blocks than under rare impulses.
 int max_block_count(const problem::Problem& problem, const problem::MotionScales& scales) {
   constexpr double kPerImpulse = 20;
   const double impulses = problem::impulses_per_decay_time(problem, scales);
@@ -263,7 +263,8 @@ StationaryCellMasses stationary_cell_masses(const problem::Problem& problem,
       .masses = std::nullopt,
       .rest = points,
       .visits = static_cast<long>(characteristics.characteristic_cell_visits().size())};
-  // The initial state is the oscillator at rest; without a rest point, the uniform distribution.
+  // The initial density is concentrated at rest; for a problem without a rest point, the initial
+  // density is uniform.
   Eigen::VectorXd start = Eigen::VectorXd::Zero(grid.size() + atoms);
   for (const RestPoint& point : points) {
     if (point.contact) continue;
@@ -285,8 +286,9 @@ StationaryCellMasses stationary_cell_masses(const problem::Problem& problem,
   result.residual = (chain.apply_jump(masses_before_impulse) + continuing - masses_after_impulse)
                         .cwiseAbs()
                         .sum();
-  // Impacts are counted per unit mass of the state after an impulse. In a problem with walls every
-  // characteristic ends at a wall or at rest, so that the masses between impulses sum to 1.
+  // The number of impacts is per impulse, that is, per unit mass of the density after an impulse.
+  // In a problem with walls every characteristic ends at a wall or at rest, so that the masses
+  // between impulses sum to 1.
   assert(!(problem.system.left_wall() || problem.system.right_wall()) || points.empty() ||
          std::abs(continuing.sum()) < 1e-9);
   const Eigen::VectorXd masses = masses_before_impulse / masses_before_impulse.sum();

@@ -13,7 +13,8 @@ double force_towards_wall(const DeterministicFlow& flow, WallSide side) {
 }
 
 // Half-cycle of small amplitude from the wall, up to the next impact or until the motion is
-// overdamped. The fraction of the time with negative velocity is weighted by exp(-impulse_rate t).
+// overdamped. In the fraction of the time with negative velocity, each time t is weighted by
+// exp(-impulse_rate t).
 struct SmallAmplitudeHalfCycle {
   double fraction_below;
   double impact_rate;
@@ -69,8 +70,8 @@ void assign_innermost_cells(const DeterministicFlow& flow, const PhasePlaneGrid&
   const double low = grid.x1.face_position(columns.front()),
                high = grid.x1.face_position(columns.back() + 1);
   const auto cell = [&](int i, int j) { return i * grid.v_cell_count() + j; };
-  // The escape energy is the smallest energy on the boundary of the innermost cells, except on
-  // walls.
+  // The escape energy is the smallest energy on the boundary of the innermost cells of an
+  // equilibrium, except on walls.
   point.escape_energy = flow.potential_energy(point.y) + v * v / 2;
   for (const double end : {low, high}) {
     if (end != point.y)
@@ -118,7 +119,7 @@ std::vector<RestPoint> find_rest_points(const DeterministicFlow& flow) {
   };
   at_wall(WallSide::left);
   for (const double turn : potential_extrema) {
-    // At a minimum of the potential U the force g changes sign from - to +.
+    // At a minimum of the potential the restoring force g changes sign from - to +.
     const double next = [&] {
       for (const double other : potential_extrema) {
         if (other > turn) return other;

@@ -12,9 +12,9 @@
 
 namespace fpkcheck::fd_fpk {
 
-// Returns the weights of the masses m_i in the slope of each cell. The slope of the middle cell is
-// the derivative of the parabola through the densities m_i / h_i of three cells, times the cell
-// width h.
+// Returns the weights of the cell masses m_i in the density slope of each cell. The slope in the
+// middle of three cells is the derivative of the parabola through the densities m_i / h_i of three
+// cells, times the cell width h.
 std::vector<DensitySlopeReconstruction::Weights>
 DensitySlopeReconstruction::slope_difference_weights(const GridAxis& axis) {
   std::vector<Weights> weights(axis.cell_count(), Weights{0, 0, 0});
@@ -105,16 +105,15 @@ void DensitySlopeReconstruction::set_slope_limiter(const Eigen::VectorXd& masses
 
 namespace {
 
-// Data of one grid cell, contiguous in memory, since the visits of characteristics access the cells
-// in no regular order.
+// Data of one grid cell, contiguous in memory, since characteristics access cells irregularly.
 struct CellMassAndSlopes {
   double mass, slope_y, slope_v;
   double ended = 0;
 };
 
 // Sums of the masses of p = T q, and of the impacts, over a set of characteristics. Sums over
-// disjoint sets of characteristics can be added. Each object has its own array of cells, since
-// several threads add masses at the same time.
+// disjoint sets of characteristics can be added. Each TransportedMassSums object has its own array
+// of cells, since several threads add masses at the same time.
 class TransportedMassSums {
  public:
   TransportedMassSums(const Characteristics& characteristics, const Eigen::VectorXd& masses,
@@ -132,7 +131,7 @@ class TransportedMassSums {
     }
   }
 
-  // Adds the masses in the cells of rest points, which remain at rest.
+  // Adds the masses in the innermost cells of rest points, which remain at rest.
   void add_masses_at_rest() {
     const auto& rest = characteristics_.rest_points();
     for (std::size_t k = 0; k < rest.size(); ++k) {
@@ -140,7 +139,7 @@ class TransportedMassSums {
     }
   }
 
-  // Adds a mass that was at rest in contact until an impulse.
+  // Adds a mass that was at rest in contact until an impulse and starts along characteristics.
   void add_mass_from_contact(int point, const RestMassDistributionAfterImpulse& departures,
                              double mass) {
     for (std::size_t n = 0; n < entering_.size(); ++n) entering_[n] += departures.shares[n] * mass;
@@ -149,7 +148,7 @@ class TransportedMassSums {
                 departures.energy * mass);
   }
 
-  // Adds the masses that start along characteristics from the boundary.
+  // Adds the masses that start along characteristics from the boundary of the phase plane.
   void add_characteristics_from_boundary(std::size_t first, std::size_t last) {
     const auto& from_boundary = characteristics_.characteristics_from_boundary();
     for (std::size_t n = first; n < last; ++n) {
@@ -185,7 +184,8 @@ class TransportedMassSums {
     }
   }
 
-  // Returns the masses of p in the cells and at rest in contact, and the continuing masses.
+  // Returns the masses of the density p in the cells and at rest in contact, and the masses that
+  // reach the end of a characteristic.
   TransportOperator::TransportedMasses transported_masses() && {
     const auto& rest = characteristics_.rest_points();
     const auto& contacts = characteristics_.indices_of_rest_points_in_contact();
@@ -206,8 +206,8 @@ class TransportedMassSums {
 
  private:
   static constexpr std::true_type kIncludeSources{};
-  // Tag of all passes over the characteristics after the first pass. Later passes do not add the
-  // masses that start in the cells
+  // Tag of all passes over the characteristics after the first pass, which do not add the masses
+  // that start in the cells
   static constexpr std::false_type kExcludeSources{};
 
   void add_impacts(WallSide side, double number, double momentum, double energy) {
@@ -229,7 +229,8 @@ class TransportedMassSums {
     for (std::size_t n = track.first; n < track.last; ++n) {
       const CharacteristicCellVisit& visit = visits[n];
       const double begins = with_sources ? mass_starting_in_visit(visit) : 0;
-      // The two updates are independent: the recurrence of `mass` needs only the previous `mass`.
+      // The two updates can run in parallel: the recurrence of `mass` needs only the previous
+      // `mass`.
       cells_[visit.cell].ended += visit.ended * mass + visit.mean_impulse_probability * begins;
       mass = (1.0 - visit.ended) * mass + (1.0 - visit.mean_impulse_probability) * begins;
     }
@@ -298,7 +299,7 @@ class TransportedMassSums {
       }
       const double left = mass_at_track_end(track, mass, sources);
       distribute_mass_at_end(track, left);
-      // The variable `left` already includes the mass of all returns to the characteristic.
+      // The variable `left` includes all mass that returns to the characteristic after an impact.
       entering_[n] -= again * left;
     }
   }
