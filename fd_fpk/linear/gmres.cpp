@@ -63,7 +63,7 @@ GmresResult solve_by_gmres(const LinearMap& linear_map,
   require_success(SUNLinSolInitialize(solver.get()), "SUNLinSolInitialize");
   require_success(SUNLinSolSetup(solver.get(), nullptr), "SUNLinSolSetup");
   // The Krylov basis of GMRES loses orthogonality before the residual has fallen by much more than
-  // the factor kReduction. On fine grids only a restart of GMRES reduces the residual further.
+  // a factor of 1e7. On fine grids only a restart of GMRES reduces the residual further.
   constexpr double kReduction = 1e-7;
   const double norm = weights.cwiseProduct(right_hand_side).norm();
   GmresResult result{std::nullopt};

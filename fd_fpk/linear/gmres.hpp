@@ -20,12 +20,12 @@ struct GmresResult {
   std::string failure = {};  ///< reason why GMRES found no solution; empty after a success
 };
 
-/// Solves A x = b by GMRES of SUNDIALS (SUNLinSol_SPGMR), starting at x = 0. The preconditioner
-/// acts from the right, so that the residual of the unpreconditioned system is the stopping
-/// criterion.
+/// Solves A x = b by GMRES of SUNDIALS (SUNLinSol_SPGMR), with the initial guess x = 0. The
+/// preconditioner of GMRES acts from the right, so that the stopping criterion is the residual of
+/// the unpreconditioned system.
 ///
-/// @param weights weights w of the norm of a vector x, (sum_i (w_i x_i)^2)^(1/2)
-/// @param tolerance largest accepted ||A x - b|| / ||b||
+/// @param weights weights w_i of the norm (sum_i (w_i x_i)^2)^(1/2) of a vector x
+/// @param tolerance largest accepted relative residual ||A x - b|| / ||b||
 /// @throws std::runtime_error if SUNDIALS cannot allocate its memory; also rethrows every exception
 /// of `linear_map` and `approximate_solve`
 GmresResult solve_by_gmres(const LinearMap& linear_map,

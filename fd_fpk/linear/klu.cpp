@@ -16,7 +16,7 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // METIS uses one sequence of random numbers of the C library for the whole process. If two threads
-// called METIS at the same time, the matrix orderings and the last digits of all solutions would
+// called METIS at the same time, matrix orderings, and thus the last digits of solutions, would
 // depend on the timing of the threads.
 std::mutex dissection_mutex;
 
@@ -26,7 +26,7 @@ std::vector<int> nested_dissection(const SparseColumnMatrix& matrix) {
   cholmod_sparse graph{};
   graph.nrow = graph.ncol = n;
   graph.nzmax = static_cast<std::size_t>(symmetric.nonZeros());
-  // CHOLMOD does not modify the index arrays.
+  // CHOLMOD does not modify the index arrays, despite the non-const interface.
   graph.p = const_cast<SparseColumnMatrix::StorageIndex*>(symmetric.outerIndexPtr());
   graph.i = const_cast<SparseColumnMatrix::StorageIndex*>(symmetric.innerIndexPtr());
   graph.stype = 1;  // a symmetric matrix, of which CHOLMOD reads the upper triangle
@@ -36,8 +36,8 @@ std::vector<int> nested_dissection(const SparseColumnMatrix& matrix) {
   cholmod_common common;
   if (!cholmod_start(&common)) return {};
   common.print = 0;
-  // METIS aborts the program when memory is exhausted. CHOLMOD therefore first checks for twice the
-  // memory that METIS needs.
+  // METIS aborts the program when memory is exhausted. CHOLMOD therefore checks in advance that
+  // twice the memory that METIS needs is available.
   common.metis_memory = 2;
   std::vector<int> order(n), parents(n), components(n);
   const std::lock_guard alone(dissection_mutex);
@@ -48,8 +48,8 @@ std::vector<int> nested_dissection(const SparseColumnMatrix& matrix) {
   return order;
 }
 
-/// Key of the sparsity pattern of a matrix. If two patterns of equal size had equal hashes, one
-/// matrix would get an ordering that is valid but causes more fill-in.
+/// Key of the sparsity pattern of a matrix. If two sparsity patterns of equal size had equal
+/// hashes, one matrix would receive an ordering that is valid but causes more fill-in.
 struct MatrixSparsityPattern {
   std::int64_t unknowns, entries;
   std::size_t hash;
@@ -83,7 +83,7 @@ class MatrixOrderingCache {
   }
 
  private:
-  // memory limit of the cached orderings, 32 MB
+  // memory limit of the cached matrix orderings, 32 MB
   static constexpr std::size_t kMostUnknowns = 4'000'000;
 
   using Entry = std::pair<MatrixSparsityPattern, std::vector<int>>;
@@ -96,7 +96,7 @@ class MatrixOrderingCache {
 
 std::vector<int> fill_reducing_ordering(const SparseColumnMatrix& matrix) {
   static MatrixOrderingCache& cache =
-      // the cache is never destroyed, since threads may use the cache at exit
+      // the cache of matrix orderings is never destroyed, since threads may use the cache at exit
       *new MatrixOrderingCache;
   const MatrixSparsityPattern pattern(matrix);
   auto order = cache.find(pattern);
@@ -108,8 +108,8 @@ std::vector<int> fill_reducing_ordering(const SparseColumnMatrix& matrix) {
 
 namespace {
 
-// The arrays of a sparse matrix as arguments for KLU. The interface of KLU is not const-correct,
-// but KLU does not modify the arrays.
+// Arrays of a sparse matrix as arguments for KLU, whose interface is not const-correct although KLU
+// does not modify the arrays.
 struct CompressedColumnArrays {
   SparseColumnMatrix::StorageIndex* columns;
   SparseColumnMatrix::StorageIndex* rows;
@@ -163,8 +163,8 @@ bool KluFactorisation::factorise(const SparseColumnMatrix& matrix) {
   return numeric != nullptr && common.status == KLU_OK;
 }
 
-// Factors the matrix with the pivots of the last factorisation. Returns false without an earlier
-// factorisation, or if the pivot growth makes the factors inaccurate.
+// Factors the matrix with the pivots of the last factorisation. Returns false if no earlier
+// factorisation exists, or if pivot growth makes the LU factors inaccurate.
 bool KluFactorisation::factorise_with_old_pivots(const SparseColumnMatrix& matrix) {
   constexpr double kLeastReciprocalGrowth = 1e-8;
   auto& [common, symbolic, numeric] = *handles_;

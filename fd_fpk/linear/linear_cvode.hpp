@@ -12,12 +12,12 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Linear system dP/dt = L(t) P, given by products with L(t) and approximate solutions of systems
-/// with I - gamma L.
+/// Linear system of differential equations dP/dt = L(t) P, given by functions for products with the
+/// matrix L(t) and for approximate solutions of systems with the matrix I - gamma L.
 struct LinearOdeSystem {
   using Product = std::function<Eigen::VectorXd(double t, const Eigen::VectorXd& p)>;
   Product apply_operator;
-  /// Factors I - gamma L for `solve`; returns false on failure
+  /// Factors the matrix I - gamma L for the function `solve`; returns false on failure
   std::function<bool(double gamma)> factor_shifted_matrix;
   ApproximateLinearSolver
       approximate_solve;  ///< function that solves the system with the matrix factored last
@@ -26,24 +26,24 @@ struct LinearOdeSystem {
 LinearOdeSystem make_linear_ode_system(LinearOdeSystem::Product apply_operator,
                                        Preconditioner& preconditioner);
 
-/// Exception that a matrix-vector product throws after the deadline. The products check the
-/// deadline themselves, because one time step of CVODE may contain many matrix-vector products.
+/// Exception that a matrix-vector product throws after the deadline. The matrix-vector products
+/// check the deadline, because one time step of CVODE may contain many matrix-vector products.
 struct DeadlineExceeded {};
 
-/// Returns the given linear system of equations with matrix-vector products that throw
+/// Returns the given linear system of differential equations with matrix-vector products that throw
 /// DeadlineExceeded after the deadline.
-/// @param deadline must outlive the returned system
+/// @param deadline deadline, which must outlive the returned system
 LinearOdeSystem with_deadline_check(const base::Deadline& deadline, LinearOdeSystem system);
 
 /// Settings of the step control of CVODE; absent settings have the default values of CVODE.
 struct BdfSettings {
   /// Highest order of BDF, 1 .. 5
   int max_order;
-  /// Relative tolerance of the local error of the cell averages, in the root mean square over cells
+  /// Relative tolerance of the local error of the cell averages, as root mean square over all cells
   double relative_tolerance;
   double absolute_tolerance;  ///< absolute tolerance of the local error, in units of the density
   double linear_tolerance;    ///< tolerance of GMRES as a fraction of the local error
-  /// Absolute tolerance of the local error of each cell average, in place of absolute_tolerance
+  /// Absolute tolerance of the local error of each cell average, instead of absolute_tolerance
   std::optional<Eigen::VectorXd> absolute_tolerances = {};
   std::optional<double> first_step = {};
   std::optional<double> max_step = {};
@@ -54,8 +54,8 @@ struct BdfSettings {
   std::optional<long> steps_per_factorisation = {};
 };
 
-/// Integrator of dP/dt = L(t) P by CVODE with BDF. GMRES solves the linear systems with the exact
-/// operator L, preconditioned by a factored approximation of I - gamma L.
+/// Integrator of dP/dt = L(t) P by CVODE with BDF. GMRES solves the linear systems of the BDF time
+/// steps with the exact operator L, preconditioned by a factored approximation of I - gamma L.
 class LinearCvodeIntegrator {
  public:
   /// @throws std::runtime_error when SUNDIALS cannot be set up
@@ -70,10 +70,10 @@ class LinearCvodeIntegrator {
     double time;
   };
   void set_linear_tolerance(double tolerance);
-  /// @throws every exception of the system
+  /// @throws every exception of the functions of the linear system
   StepResult take_step();
-  /// Advances to `time`, at which the averages are interpolated.
-  /// @throws every exception of the system
+  /// Advances the integration to `time`, at which the cell averages are interpolated.
+  /// @throws every exception of the functions of the linear system
   StepResult advance_to_time(double time);
 
   Eigen::Map<const Eigen::VectorXd> cell_averages() const;

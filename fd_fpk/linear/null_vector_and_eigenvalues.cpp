@@ -65,14 +65,13 @@ constexpr double kTolerance = 1e-9;  // tolerance of the relative residual of a 
 constexpr long kRestarts = 20;
 constexpr long kTestRestarts = 6;
 constexpr int kNearest = 20;
-// Number of eigenvalues that each check for missed eigenvalues requests in addition to the known
-// eigenvalues
+// Number of additional eigenvalues that each check for missed eigenvalues requests
 constexpr int kSpare = 3;
 constexpr int kBasis = 60;
 // Distance below which two Ritz values count as one eigenvalue, in units of the growth rate of the
-// excitation or of the oscillator's frequency. A residual of kTolerance determines an eigenvalue of
-// a non-normal matrix only to kTolerance times the condition number of the eigenvalue. The Pade
-// scheme of case 1 gave the eigenvalue 0 twice, 2e-7 apart.
+// excitation or of the oscillator's frequency. An eigenvalue of a non-normal matrix is accurate
+// only to the residual of the eigenpair times the condition number of the eigenvalue. For the Pade
+// scheme of case 1 the Arnoldi method found the eigenvalue 0 twice, with a difference of 2e-7.
 constexpr double kSame = 1e-6;
 
 // The linear operator (L - sigma)^-1 with a real shift sigma, computed by KLU factors of the matrix
@@ -84,7 +83,8 @@ class ShiftedOperatorInverse {
   Eigen::Index size() const { return matrix_.rows(); }
 
   void set_shift(double sigma) {
-    // The pattern of nonzeros must not depend on the shift sigma, since KLU reuses the ordering.
+    // The positions of nonzero entries must not depend on the shift sigma, since KLU reuses the
+    // ordering.
     ++factorisations_;
     if (!klu_.factorise(scale_and_shift_matrix(1, matrix_, -sigma)))
       throw std::runtime_error(klu_.failure_reason());
@@ -108,15 +108,16 @@ class ShiftedOperatorInverse {
   mutable long solves_ = 0;
 };
 
-// The spectral transform T = constant + factor (L - sigma)^-1, in the interface of Spectra.
+// The spectral transform T = constant + factor (L - sigma)^-1 of the operator L, with the interface
+// that Spectra requires.
 class SpectralTransform {
  public:
   using Scalar = double;
 
-  /// Constructs the transform T = (L - sigma)^-1.
+  /// Constructs the spectral transform T = (L - sigma)^-1 of the operator L.
   explicit SpectralTransform(const ShiftedOperatorInverse& inverse)
       : SpectralTransform(inverse, 0, 1) {}
-  /// Returns the Cayley transform T = C = 1 + 2 (sigma - m) (L - sigma)^-1.
+  /// Returns the Cayley transform 1 + 2 (sigma - m) (L - sigma)^-1 of the operator L.
   static SpectralTransform cayley_transform(const ShiftedOperatorInverse& inverse, double m) {
     return {inverse, 1, 2 * (inverse.shift() - m)};
   }
@@ -150,7 +151,7 @@ struct EigenvaluesAndVectors {
   Eigen::MatrixXcd vectors;  // one eigenvector per column, shape (size, number of values)
 };
 
-// Returns the converged eigenpairs of L among the `count` largest eigenvalues of the transform.
+// Returns the converged eigenpairs of L for the `count` largest eigenvalues of the transform.
 EigenvaluesAndVectors largest_eigenpairs(SpectralTransform& transform, int count, long restarts) {
   Spectra::GenEigsSolver<SpectralTransform> solver(transform, count, kBasis);
   solver.init();
@@ -162,8 +163,8 @@ EigenvaluesAndVectors largest_eigenpairs(SpectralTransform& transform, int count
   return pairs;
 }
 
-// Returns the union of two lists of eigenpairs without duplicates, by decreasing real part. A
-// complex conjugate pair of eigenvalues has one entry, the eigenvalue in the upper half-plane.
+// Returns the union of two lists of eigenpairs without duplicates, by decreasing real part. Of each
+// conjugate pair the list contains only the eigenvalue in the upper half-plane.
 EigenvaluesAndVectors merge_by_real_part(const EigenvaluesAndVectors& a,
                                          const EigenvaluesAndVectors& b, double unit) {
   struct Pair {
@@ -194,8 +195,8 @@ EigenvaluesAndVectors merge_by_real_part(const EigenvaluesAndVectors& a,
   return sorted;
 }
 
-// Returns the number of eigenvalues, including conjugates, that the first `count` entries
-// represent.
+// Returns the number of eigenvalues, including complex conjugates, that the first `count` entries
+// of the list represent.
 int count_with_conjugates(const EigenvaluesAndVectors& pairs, int count) {
   int all = 0;
   for (int k = 0; k < count; ++k) all += pairs.values[k].imag() > 0 ? 2 : 1;
@@ -215,9 +216,9 @@ RightmostEigenvalues find_rightmost_eigenvalues(const FokkerPlanckOperator& op,
   RightmostEigenvalues result;
   try {
     const double unit = std::max(excitation_growth_rate, frequency);
-    // If the shift sigma exceeds the number m by at least the frequency of every mode, the order of
-    // the Cayley-transformed eigenvalues by modulus is the order of the eigenvalues of L by real
-    // part.
+    // If the shift sigma of the Cayley transform exceeds the number m by at least the frequency of
+    // every mode, the order of the transformed eigenvalues by modulus is the order of the
+    // eigenvalues of L by real part.
     const double width = std::max(excitation_growth_rate, kFastest * frequency);
     inverse.set_shift(std::max(excitation_growth_rate, 0.0) + kRightOfGrowth * unit);
     SpectralTransform nearest(inverse);

@@ -11,18 +11,19 @@ namespace fpkcheck::fd_fpk {
 namespace {
 
 // Order of accuracy of the preconditioner matrix M if the Fokker-Planck operator L has an odd
-// order. With weights at the cell centres, each equation of order 3 couples a cell only to cells of
-// the same row and of the same column of the grid. Among the orders for which GMRES converges well,
-// order 3 has the fewest nonzero matrix entries.
+// order. With coefficients evaluated at the cell centres, a scheme of order 3 couples each cell
+// only to cells of the same row and of the same column of the grid. Among the orders for which
+// GMRES converges well, order 3 has the fewest nonzero matrix entries.
 constexpr int kOrder = 3;
 
-// Returns drift and diffusion that approximate the exchange matrix. On waves of wavenumber q the
-// exchange has the symbol -i a q - D q^2 for long waves, and -preconditioner_exchange_decay_rate
-// for short waves. The diffusion D would damp the shortest waves of a fine grid, q = pi/h, far too
-// strongly. The limit of the diffusion coefficient makes the shortest waves decay at about
-// preconditioner_exchange_decay_rate. The drift by impulses of nonzero mean keeps the oscillator
-// off the wall. The preconditioner therefore reduces the drift only if the drift rate of the
-// shortest waves is many times preconditioner_exchange_decay_rate.
+// Returns a drift a and a diffusion D that approximate the exchange matrix of velocity jumps. The
+// exchange matrix has the symbol -i a q - D q^2 at small wavenumbers q, and
+// -preconditioner_exchange_decay_rate at large wavenumbers. The diffusion term would damp the
+// shortest waves on cells of the width h, with the wavenumber pi/h, far too strongly. The upper
+// limit of the diffusion coefficient makes the shortest waves decay at about
+// preconditioner_exchange_decay_rate. The drift by impulses of nonzero mean is significant, since
+// it keeps the oscillator off the wall. The preconditioner therefore reduces the drift only if the
+// drift rate of the shortest waves is many times preconditioner_exchange_decay_rate.
 DiscretisedExcitation drift_diffusion_approximation(const DiscretisedExcitation& excitation,
                                                     const GridAxis& x2) {
   constexpr double kOvershoot = 1.5;
@@ -45,7 +46,7 @@ DiscretisedExcitation drift_diffusion_approximation(const DiscretisedExcitation&
     local.diffusion += std::min(excitation.preconditioner_exchange_diffusion, limit);
     return local;
   }
-  // E[Y] = 0, so that the drift of parametric impulses is 0.
+  // The mean impulse amplitude E[Y] is 0, so that the drift of parametric impulses is 0.
   StateDependentDiffusion& variable = local.state_dependent_diffusion
                                           ? *local.state_dependent_diffusion
                                           : local.state_dependent_diffusion.emplace();
@@ -94,8 +95,8 @@ bool Preconditioner::factor_with_klu(const SparseColumnMatrix& matrix) {
 }
 
 bool Preconditioner::factorise_newton_matrix(double gamma) {
-  // ratio of the step coefficient gamma to the decay time, above which the factors of the
-  // preconditioner M are reused
+  // ratio of the step coefficient gamma to the decay time above which the factors of the
+  // preconditioner matrix M are reused
   constexpr double kLong = 3;
   if (are_stationary_ && gamma * mass_loss_rate_ >= kLong) {
     matrix_scale_ = -gamma;
