@@ -12,8 +12,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Returns the Kronecker product A (x) B, where A acts on x1 and B on x2; cell (i, j) has index i nv
-// + j.
+// Returns the Kronecker product A (x) B of a matrix A for the displacement x1 and a matrix B for
+// the velocity x2; cell (i, j) has the index i nv + j.
 SparseColumnMatrix kronecker_product(const AxisOperator& a, const AxisOperator& b) {
   const SparseColumnMatrix a_columns(a), b_columns(b);
   SparseColumnMatrix product(a.rows() * b.rows(), a.cols() * b.cols());
@@ -48,8 +48,9 @@ AxisOperator keep_rows(const AxisOperator& matrix, int first_row, int row_count)
   return mask * matrix;
 }
 
-// Returns the matrix of the streaming term -d/dx1 (x2 p), by fluxes through the inner faces of x1.
-// No stencil of the averages of x2 p crosses a kink of p at x2 = 0.
+// Returns the matrix of the streaming term -d/dx1 (x2 p), by fluxes through the inner cell faces of
+// x1. No stencil for the cell averages of x2 p contains cells on both sides of a kink of the
+// density p at x2 = 0.
 SparseColumnMatrix streaming_matrix(const PhasePlaneGrid& grid, int scheme_order,
                                     int weight_stencil_size, bool has_kinks) {
   const GridAxis& x1 = grid.x1;
@@ -59,7 +60,7 @@ SparseColumnMatrix streaming_matrix(const PhasePlaneGrid& grid, int scheme_order
                                 has_kinks ? std::optional(half) : std::nullopt);
   const AxisOperator rightwards =
       divergence_operator(x1) * face_value_operator(x1, scheme_order, UpstreamSideOfFace::left);
-  // No motion enters through a barrier: the density of motion to the left is 0 beyond the barrier.
+  // At a barrier the density of leftward motion is 0, since no motion enters through the barrier.
   const bool has_barrier = x1.right_end_condition() == AxisEndCondition::barrier;
   const AxisOperator leftwards =
       divergence_operator(x1) *
@@ -79,8 +80,8 @@ int cell_of_motion_off_wall(const PhasePlaneGrid& grid, AxisEnd end, int speed_c
                                   speed_cell);
 }
 
-// Returns the matrix of the impacts at a wall. The flux into the wall leaves the column of cells at
-// the wall and enters the column again with the opposite sign of x2.
+// Returns the matrix of the impacts at a wall. The probability flux into the wall leaves the cells
+// at the wall and enters the cells with the opposite sign of the velocity x2.
 SparseColumnMatrix wall_exchange_matrix(const problem::Wall& wall, problem::ImpactCondition impact,
                                         const PhasePlaneGrid& grid, int scheme_order, AxisEnd end) {
   const int half = grid.v_cell_count() / 2;
@@ -104,7 +105,7 @@ SparseColumnMatrix wall_exchange_matrix(const problem::Wall& wall, problem::Impa
   return kronecker_product(into_column, exchange) * wall_flux_matrix(grid, scheme_order, end);
 }
 
-// Returns the matrix of the motion that leaves through a barrier at the right end.
+// Returns the matrix of the probability flux that leaves through a barrier at the right end of x1.
 SparseColumnMatrix barrier_outflow_matrix(const PhasePlaneGrid& grid, int scheme_order) {
   const int half = grid.v_cell_count() / 2, last = grid.nx() - 1;
   AxisOperator outflow(grid.v_cell_count(), half);
@@ -116,8 +117,8 @@ SparseColumnMatrix barrier_outflow_matrix(const PhasePlaneGrid& grid, int scheme
          wall_flux_matrix(grid, scheme_order, AxisEnd::right);
 }
 
-// Returns the matrix of the term d/dx2 [ x2^power p ], by fluxes through the inner faces of x2. The
-// matrix `values` maps cell averages of the density p to values of p on the cell faces.
+// Returns the matrix of the term d/dx2 [ x2^power p ], by fluxes through the inner cell faces of
+// x2. The matrix `values` maps cell averages of the density p to values of p on the cell faces.
 AxisOperator power_divergence_matrix(const GridAxis& x2, int power, const AxisOperator& values) {
   AxisOperator factor(x2.cell_count() + 1, x2.cell_count() + 1);
   for (int f = 0; f <= x2.cell_count(); ++f)
@@ -125,13 +126,13 @@ AxisOperator power_divergence_matrix(const GridAxis& x2, int power, const AxisOp
   return divergence_operator(x2) * AxisOperator(factor * values);
 }
 
-// Matrices that map averages of the density over velocity cells to values and derivatives on the
-// velocity faces.
+// Matrices that map averages of the density over velocity cells to values and derivatives of the
+// density on the velocity faces.
 struct VelocityFaceReconstruction {
   AxisOperator centred, derivative, jump;  // jump: value from the left minus value from the right
 };
 
-// Returns the one-sided forces at x2 = 0, for x2 < 0 and x2 > 0.
+// Returns the one-sided limits of the force at the velocity x2 = 0, for x2 < 0 and for x2 > 0.
 std::pair<double, double> one_sided_forces(const problem::System& system, double x1,
                                            const PhasePlaneGrid& grid) {
   // At the velocity `small` the force differs from the one-sided limit at x2 = 0 only by rounding
@@ -140,9 +141,9 @@ std::pair<double, double> one_sided_forces(const problem::System& system, double
   return {system.force(x1, -small), system.force(x1, small)};
 }
 
-// Returns the kink of the density at x2 = 0 for each column of cells of x1, where the force jumps
-// under diffusion. Without a kink of the density at x2 = 0, and under multiplicative noise, for
-// whose kinks no stencils exist, the result is empty.
+// Returns the kink of the density at the velocity x2 = 0 for each cell of x1, where the force is
+// discontinuous under diffusion. The list of kinks is empty if the density has no kink at x2 = 0,
+// and under multiplicative noise, for which no stencils for kinks exist.
 std::vector<DensityKink> density_kinks(const problem::System& system,
                                        const DiscretisedExcitation& excitation,
                                        const PhasePlaneGrid& grid) {
@@ -158,8 +159,8 @@ std::vector<DensityKink> density_kinks(const problem::System& system,
   return kinks;
 }
 
-// Returns the reconstructions on the faces of x2: a single reconstruction for all columns of cells
-// of x1 or, for a density with kinks, a reconstruction for each column.
+// Returns the reconstructions of the density on the faces of the velocity x2: one reconstruction
+// for all cells of x1 or, for a density with kinks, one reconstruction for each cell of x1.
 std::vector<VelocityFaceReconstruction> face_reconstructions(
     const GridAxis& x2, int scheme_order, const std::vector<DensityKink>& kinks) {
   const int centred = centred_stencil_size(scheme_order);
@@ -176,10 +177,10 @@ std::vector<VelocityFaceReconstruction> face_reconstructions(
   return all;
 }
 
-// Returns the matrix of the term d/dx2 [ weight(x1, x2) L p ], by fluxes through the inner faces of
-// x2. At each face, `weight` is a weight of the averages over cells of x1. The matrix
-// values_of(column) maps cell averages of x2 to the values of L p on the faces, in a column of
-// cells.
+// Returns the matrix of the term d/dx2 [ weight(x1, x2) L p ], by fluxes through the inner cell
+// faces of x2, where L is a linear operator in x2. The function `weight` is used at each velocity
+// face as a weight of the averages over cells of x1. The matrix values_of(column) maps averages
+// over velocity cells to the values of L p on the velocity faces, for one cell of x1.
 template <class ValuesOf, class Weight>
 SparseColumnMatrix weighted_divergence_matrix(const PhasePlaneGrid& grid, int weight_stencil_size,
                                               const ValuesOf& values_of, const Weight& weight) {
@@ -208,8 +209,8 @@ SparseColumnMatrix weighted_divergence_matrix(const PhasePlaneGrid& grid, int we
   return matrix;
 }
 
-// Returns the matrix of the term d/dx2 [ f(x1, x2) p ] for the formula f of a force. On a face at
-// which f jumps, f is the mean of the one-sided forces.
+// Returns the matrix of the term d/dx2 [ f(x1, x2) p ] for a force f that is given by a formula. On
+// a cell face at which the force f is discontinuous, the mean of the one-sided forces is used.
 SparseColumnMatrix formula_force_matrix(
     const problem::System& system, const PhasePlaneGrid& grid,
     const std::vector<VelocityFaceReconstruction>& reconstructions, int weight_stencil_size) {
@@ -226,7 +227,8 @@ SparseColumnMatrix formula_force_matrix(
       });
 }
 
-// Returns the matrix of the term d^2/dx2^2 [ D(x1, x2) p ], as the divergence of D p' + D' p.
+// Returns the matrix of the term d^2/dx2^2 [ D(x1, x2) p ], as the divergence of the flux D p' + D'
+// p, where the prime is the derivative with respect to x2.
 SparseColumnMatrix variable_diffusion_matrix(const StateDependentDiffusion& diffusion,
                                              const PhasePlaneGrid& grid,
                                              const VelocityFaceReconstruction& reconstruction,
@@ -244,7 +246,7 @@ SparseColumnMatrix variable_diffusion_matrix(const StateDependentDiffusion& diff
   return matrix;
 }
 
-// Returns the block-diagonal matrix of one operator of x2 for each column of cells of x1.
+// Returns the block-diagonal matrix of operators in the velocity x2, one for each cell of x1.
 SparseColumnMatrix block_diagonal_matrix(const std::vector<AxisOperator>& blocks) {
   std::vector<Eigen::Triplet<double>> entries;
   Eigen::Index row = 0, column = 0;
@@ -262,7 +264,7 @@ SparseColumnMatrix block_diagonal_matrix(const std::vector<AxisOperator>& blocks
   return matrix;
 }
 
-// Returns the matrix of drift and diffusion for densities with kinks.
+// Returns the matrix of drift and diffusion of the excitation for densities with kinks.
 SparseColumnMatrix kinked_drift_diffusion_matrix(
     const GridAxis& x2, const DiscretisedExcitation& excitation,
     const std::vector<VelocityFaceReconstruction>& reconstructions) {
@@ -275,8 +277,8 @@ SparseColumnMatrix kinked_drift_diffusion_matrix(
   return block_diagonal_matrix(blocks);
 }
 
-// Returns the matrix of the term d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ], by fluxes through the
-// inner faces of x2.
+// Returns the matrix of the term d/dx2 [ (c(x1) x2 + c_vv x2^3 + g(x1)) p ], of damping and
+// restoring force, by fluxes through the inner cell faces of x2.
 SparseColumnMatrix damping_and_force_matrix(
     const problem::System& system, const PhasePlaneGrid& grid,
     const std::vector<VelocityFaceReconstruction>& reconstructions, int weight_stencil_size) {
@@ -302,8 +304,8 @@ SparseColumnMatrix damping_and_force_matrix(
   return sum;
 }
 
-// Returns the matrix of the difference between the upwind-biased and the centred transport terms in
-// x2, for an odd order. With the velocity a = -(c(x1) x2 + c_vv x2^3 + g(x1)) the upwind flux is
+// Returns the difference between the upwind-biased and the centred transport terms in x2, for odd
+// orders. With the acceleration a = -(c(x1) x2 + c_vv x2^3 + g(x1)) the upwind flux in x2 is
 //     a (p_left + p_right)/2 + |a| (p_left - p_right)/2.
 // The first term of this upwind flux is the centred flux of the next even order.
 SparseColumnMatrix upwind_correction_matrix(
@@ -339,9 +341,9 @@ SparseColumnMatrix upwind_correction_matrix(
   return kronecker_product(columns, divergence_operator(x2)) * flux;
 }
 
-// Adds E P A^T to the rate, with E = of_x2 and A = of_x1, where each column of P contains the
-// averages at one x1. Row i of A is empty if the factor b in cell i of x1 is far from the value b_m
-// of the term.
+// Adds the matrix product E P A^T to the rate of change, with E = of_x2 and A = of_x1, where each
+// column of P contains the cell averages at one x1. Row i of the matrix A is empty if the factor
+// b(x1) of the impulses in cell i is far from the interpolation value b_m.
 void add_parametric_jumps(const AxisOperator& of_x1, const Eigen::MatrixXd& of_x2,
                           const Eigen::Map<const Eigen::MatrixXd>& cell_averages,
                           Eigen::Map<Eigen::MatrixXd>& rate) {
@@ -375,8 +377,8 @@ SparseColumnMatrix scale_and_shift_matrix(double factor, const SparseColumnMatri
 SparseColumnMatrix wall_flux_matrix(const PhasePlaneGrid& grid, int scheme_order, AxisEnd end) {
   const int half = grid.v_cell_count() / 2;
   const bool left = end == AxisEnd::left;
-  // The density on the wall is discontinuous at x2 = 0, so that a stencil contains only cells with
-  // one sign of x2.
+  // The density on the wall is discontinuous at the velocity x2 = 0, so that a stencil contains
+  // only cells with one sign of x2.
   const AxisOperator speed =
       weighted_average_operator(grid.x2, averaging_stencil_size(scheme_order),
                                 numerics::Polynomial({0, left ? -1.0 : 1.0}), half);

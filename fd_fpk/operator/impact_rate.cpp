@@ -83,7 +83,7 @@ class ImpactRateTestFunctionBalance {
     return system_.force(x, v) - excitation_.drift;
   }
 
-  // Returns the integral of weight times p over the plane, from the cell averages of p.
+  // Returns the integral of `weight` times the density over the phase plane, from cell averages.
   template <class Weight>
   double integrate_weighted_density(const Eigen::VectorXd& cell_averages,
                                     const Weight& weight) const {
@@ -107,7 +107,8 @@ class ImpactRateTestFunctionBalance {
     return sum;
   }
 
-  // Returns the rate of change of E[h] due to impacts at the second wall, `other`.
+  // Returns the rate of change of the mean E[h] of the test function h by impacts at the second
+  // wall.
   double mean_gain_at_wall(const problem::Wall& other, AxisEnd end, const WallCoordinates& from,
                            const WallTestFunction& h, const Eigen::VectorXd& cell_averages) const {
     const int half = grid_.v_cell_count() / 2;
@@ -116,9 +117,9 @@ class ImpactRateTestFunctionBalance {
         point_value_operator(grid_.x2, averaging_stencil_size(order_), kFractions, half) *
         (velocity_columns(cell_averages) * to_wall.transpose());
     const double distance = from.distance(other.position), r = other.restitution;
-    // Under the impact condition to first order in 1-r, a flux f into the wall becomes the flux
-    // f(w) + (1-r) d(w f)/dw off the wall. The integral of the flux off the wall times h is
-    // evaluated by parts.
+    // Under the impact condition to first order in 1-r, a probability flux f into the wall gives
+    // the flux f(w) + (1-r) d(w f)/dw off the wall at the speed w. The integral of the flux off the
+    // wall times the test function h is evaluated by integration by parts.
     const auto raise = [&](double u) {
       const double before = h(distance, u);
       return impact_ == problem::ImpactCondition::map
@@ -154,8 +155,8 @@ double impact_rate(const problem::System& system, const DiscretisedExcitation& e
   std::optional<ImpactRateTestFunctionBalance> balance;
   const auto of = [&](const std::optional<problem::Wall>& wall, AxisEnd end) {
     if (!wall) return 0.0;
-    // The test function of the impact rate needs a uniform excitation and a constant restitution
-    // coefficient.
+    // The test function of the impact rate requires a state-independent excitation and a constant
+    // restitution coefficient.
     const bool has_test_function =
         excitation.is_state_independent() && system.has_constant_restitution();
     if (excitation.diffusion == 0 || !has_dissipative_impacts(*wall) || !has_test_function)

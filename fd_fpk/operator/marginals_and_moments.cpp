@@ -43,7 +43,8 @@ double integrate_joint_density(const PhasePlaneGrid& grid, const Eigen::VectorXd
 }
 
 // Returns the integral of a function of x1 and x2 times the joint density, by Gauss points in the
-// cells. Where the force jumps at x2 = 0, the density has a kink, which no stencil may cross.
+// cells. If the force is discontinuous at x2 = 0, the density has a kink at x2 = 0, and no stencil
+// may contain cells on both sides of x2 = 0.
 template <class Function>
 double integrate_function(const problem::System& system, const PhasePlaneGrid& grid,
                           const Eigen::VectorXd& cell_averages, int scheme_order,
@@ -92,7 +93,7 @@ Eigen::VectorXd normal_cell_averages(const GridAxis& axis, double deviation, dou
 }  // namespace
 
 MarginalCellAverages marginals(const PhasePlaneGrid& grid, const Eigen::VectorXd& cell_averages) {
-  // Column i of the matrix p contains the velocity cells at cell i of x1.
+  // Column i of the matrix p contains the averages of the velocity cells in cell i of x1.
   const Eigen::Map<const Eigen::MatrixXd> p(cell_averages.data(), grid.v_cell_count(), grid.nx());
   return {p.transpose() * grid.x2.cell_widths(), p * grid.x1.cell_widths()};
 }
@@ -114,7 +115,7 @@ transform::Moments physical_moments(const problem::WallFrame& frame, const Phase
   transform::Moments result = moments(grid, cell_averages, scheme_order);
   if (frame.is_identity()) return result;
   const Eigen::VectorXd y = marginals(grid, cell_averages).y;
-  // The displacement is y = frame.origin + sign x, a polynomial of x.
+  // The physical displacement y = frame.origin + sign x is a polynomial of the wall coordinate x.
   const numerics::Polynomial::Coefficients y1{0, 1}, y2{0, 0, 1}, y4{0, 0, 0, 0, 1};
   const auto of_y = [&](const numerics::Polynomial::Coefficients& monomial_of_y) {
     return integrate_marginal(
@@ -130,14 +131,15 @@ transform::Moments physical_moments(const problem::WallFrame& frame, const Phase
 
 namespace {
 
-// Returns the moments n = 0 .. 4 of the missing mass beyond an end of an axis, int_0^inf |x + t|^n
-// p e^(-s t) dt, with the coordinate x = end_coordinate of the end. The slope and the curvature of
-// the logarithm of the marginal density determine the density p at the end and the decay rate s.
-// The fit of slope and curvature uses cells at 0.2 to 0.6 of the distance from the end to the mean,
-// since cells nearer to the end lack mass. Under white noise the returned moments contain a factor
-// of 2 for the motion that returns from outside the computational box. Under impulses, the
-// computational box also lacks the return path of motion that would have left the computational
-// box, with the density p V / v.
+// Returns the moments n = 0 .. 4 of the missing mass beyond the end x = end_coordinate of an axis,
+// int_0^inf |x + t|^n p e^(-s t) dt, with the density p at the end and its decay rate s beyond the
+// end. The density p at the end and the decay rate s follow from the slope and the curvature of the
+// logarithm of the marginal density. The fit of slope and curvature of the log density uses cells
+// at 0.2 to 0.6 of the distance from the end of the axis to the mean, since cells nearer to the end
+// lack mass. Under white noise the returned moments contain a factor of 2 for the motion that
+// returns from outside the computational box. Under impulses, the computational box also lacks the
+// return path of motion that would have left the computational box; this missing density is p V /
+// v.
 std::array<double, 5> missing_marginal_moments(const GridAxis& axis,
                                                const Eigen::VectorXd& marginal, bool at_right_end,
                                                double end_coordinate, bool has_impulses) {
@@ -165,7 +167,8 @@ std::array<double, 5> missing_marginal_moments(const GridAxis& axis,
   const double steeper = std::max(0.0, steepness - fall(far, middle));
   const double p = std::exp(near.log - (steepness + steeper) * near.distance);
   const double rate = steepness + 1.5 * steeper;
-  // Integration by parts gives I_n = (|x|^n p + n I_(n-1)) / s.
+  // Integration by parts gives the recurrence I_n = (|x|^n p + n I_(n-1)) / s for the tail moments
+  // I_n of a density p with the decay rate s.
   std::array<double, 5> tail{};
   for (std::size_t n = 0; n < tail.size(); ++n) {
     const double lower = n == 0 ? 0 : static_cast<double>(n) * tail[n - 1];
@@ -260,8 +263,8 @@ double mean_energy(const problem::EffectivePotential& spring_potential, const Ph
 
 namespace {
 
-// Returns the integral of weight(v) p(a, v) over velocities v into a wall, with the matrix of the
-// weighted averages on the axis of v.
+// Returns the integral of weight(v) p(a, v) over all velocities v into a wall at x1 = a, by the
+// matrix of weighted averages on the velocity axis.
 double wall_integral(const PhasePlaneGrid& grid, const Eigen::VectorXd& cell_averages,
                      int scheme_order, const AxisOperator& weighted, AxisEnd end) {
   const Eigen::Map<const Eigen::MatrixXd> p(cell_averages.data(), grid.v_cell_count(), grid.nx());
@@ -275,7 +278,7 @@ double wall_integral(const PhasePlaneGrid& grid, const Eigen::VectorXd& cell_ave
 
 double wall_speed_moment(const PhasePlaneGrid& grid, const Eigen::VectorXd& cell_averages,
                          int scheme_order, int speed_exponent, AxisEnd end) {
-  // The monomial equals |v|^speed_exponent for velocities into the wall.
+  // For velocities v into the wall the monomial equals |v|^speed_exponent.
   const bool is_negative = end == AxisEnd::left && speed_exponent % 2 == 1;
   return wall_integral(grid, cell_averages, scheme_order,
                        weighted_average_operator(grid.x2, averaging_stencil_size(scheme_order),

@@ -10,8 +10,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Interpolation at a factor b uses the values b_m = m d at the distance d, for the integers m from
-// floor(b/d) - kBelow to floor(b/d) + kAbove.
+// Interpolation at a factor b of the impulse amplitude uses the values b_m = m d with the spacing
+// d, for the integers m from floor(b/d) - kBelow to floor(b/d) + kAbove.
 constexpr int kBelow = 2, kAbove = 3;
 
 // Returns the Lagrange polynomial at t of the integer `node` among the six integers around t.
@@ -25,14 +25,15 @@ double lagrange_polynomial(double t, int node) {
   return value;
 }
 
-// Returns the matrix of jumps by b Y, which are jumps by Y on the axis divided by b.
+// Returns the matrix of the velocity jumps by b Y, which equal jumps by the impulse amplitude Y on
+// the axis divided by b.
 Eigen::MatrixXd scaled_jump_matrix(const GridAxis& axis, const problem::ImpulseLaw& law, double b) {
   std::vector<double> faces = axis.faces();
   for (double& face : faces) face /= std::abs(b);
   return jump_matrix(GridAxis(std::move(faces)), b < 0 ? law.with_negated_amplitudes() : law);
 }
 
-// Returns the smallest and the largest sampled value of the factor on an axis.
+// Returns the smallest and the largest sampled value of the factor of the impulses on an axis.
 std::pair<double, double> range_of_factor(const problem::StateFunction& factor,
                                           const GridAxis& x1) {
   constexpr int kPoints = 8;
@@ -59,7 +60,7 @@ std::vector<NonlocalExcitationTerm> parametric_exchange_terms(const ParametricIm
   // range_of_factor() samples the factor and may miss the extreme values of the factor.
   int first = static_cast<int>(std::floor(least / distance)) - kBelow - 1;
   int last = static_cast<int>(std::floor(largest / distance)) + kAbove + 1;
-  // Jumps by b Y and by -b Y have equal matrices if the law is symmetric.
+  // If the law of the amplitude Y is symmetric, the jumps by b Y and by -b Y have equal matrices.
   const bool is_symmetric = law.is_symmetric();
   if (is_symmetric) {
     last = std::max(last, -first);

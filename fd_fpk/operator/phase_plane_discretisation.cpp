@@ -15,19 +15,19 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Upper end of the computational box in x1 from the static deflection, in standard deviations of
-// equivalent linearisation. A hardening spring shortens the tail of p(y).
+// Distance of the upper end of the computational box in x1 from the static deflection, in standard
+// deviations of equivalent linearisation. A hardening spring makes the tail of p(y) shorter than
+// the Gaussian tail.
 constexpr double kX1BoxDeviations = 6;
-// Minimum half-width of the computational box in velocity, in standard deviations of a single
-// impulse.
+// Minimum half-width in velocity of the computational box, in standard deviations of an impulse.
 constexpr double kImpulseBoxDeviations = 6.5;
 // Distance, in units of the kernel length sqrt(b), at which the kernel of the Pade approximant
-// falls below 1e-12 of the peak.
+// falls below 1e-12 of its peak.
 constexpr double kPadeReach = 28;
 
-// Returns the excitation by parametric impulses, which change the velocity by b(y) Y. The
-// excitation has no matrix of jumps, since parametric_exchange_terms() computes the matrices. The
-// preconditioner uses the diffusion for b = 1.
+// Returns the excitation by parametric impulses, which change the velocity by b(y) Y. The returned
+// excitation has no matrix of velocity jumps, since parametric_exchange_terms() computes the
+// matrices. The preconditioner uses the diffusion coefficient for the factor b(y) = 1.
 DiscretisedExcitation parametric_jump_excitation(const problem::Problem& problem) {
   const problem::ImpulseTrain& impulses = problem.impulses;
   return {.exchange = {},
@@ -36,8 +36,8 @@ DiscretisedExcitation parametric_jump_excitation(const problem::Problem& problem
           .parametric = ParametricImpulses{impulses, *problem.impulse_factor}};
 }
 
-// Returns the terms of the impulses, except the diffusion of white noise in place of parametric
-// impulses (state_dependent_diffusion()).
+// Returns the excitation terms of the impulses, except the diffusion of white noise in place of
+// parametric impulses (state_dependent_diffusion()).
 DiscretisedExcitation impulse_excitation(const problem::Problem& problem,
                                          const FiniteVolumeOptions& options, const GridAxis& axis,
                                          double regularisation_length) {
@@ -59,10 +59,11 @@ DiscretisedExcitation impulse_excitation(const problem::Problem& problem,
 }
 
 // Returns the diffusion coefficient of all terms with a factor of noise or impulses. White noise in
-// place of parametric impulses has the coefficient lambda E[Y^2] b^2 / 2.
+// place of parametric impulses has the diffusion coefficient lambda E[Y^2] b^2 / 2.
 StateDependentDiffusion state_dependent_diffusion(const problem::Problem& problem,
                                                   bool with_impulses) {
-  // The functions contain a copy of the problem, since the functions may outlive the problem.
+  // The returned functions contain a copy of the problem, since the functions may be called after
+  // the problem is destroyed.
   const double of_impulses = with_impulses ? problem.impulses.rate_times_moment(2) / 2 : 0;
   StateDependentDiffusion diffusion{.coefficient = [=](double x1, double x2) {
     return problem::noise_diffusion_coefficient(problem, x1, x2) +
@@ -77,8 +78,8 @@ StateDependentDiffusion state_dependent_diffusion(const problem::Problem& proble
   return diffusion;
 }
 
-// Returns all excitation terms. White noise with the diffusion coefficient D adds the term (D p)''
-// to every equation.
+// Returns all excitation terms of the density equation. White noise with the diffusion coefficient
+// D adds the term (D p)'' to every equation.
 DiscretisedExcitation make_excitation(const problem::Problem& problem,
                                       const FiniteVolumeOptions& options, const GridAxis& axis,
                                       double regularisation_length) {
@@ -93,8 +94,8 @@ DiscretisedExcitation make_excitation(const problem::Problem& problem,
   return terms;
 }
 
-// Returns the regularisation length l of km4 on the cells of an axis; the option value 0 selects
-// the literal scheme.
+// Returns the regularisation length l of the truncated Kramers-Moyal equation `km4` on the cells of
+// an axis; the option value 0 selects the literal scheme.
 double regularisation_length(const problem::Problem& problem, const FiniteVolumeOptions& options,
                              const GridAxis& axis) {
   if (options.equation != DensityEquation::km4 || !problem.impulses.is_acting()) return 0;
@@ -118,8 +119,8 @@ double axis_cell_count(double refined_length, double cell_width, double min_coun
 }
 
 // Returns the minimum number of cells of an axis, proportional to the refinement, so that the grids
-// of an error estimate differ. The constant kFewest is the number of cells that one-sided stencils
-// require.
+// of an error estimate differ. The constant kFewest is the number of cells of an axis that
+// one-sided stencils require.
 double min_axis_cell_count(const FiniteVolumeOptions& options) {
   constexpr double kAutomatic = 16, kFewest = 8;
   return std::max(kFewest, std::ceil(kAutomatic * options.refinement - 1e-9));
@@ -134,7 +135,7 @@ PlaneDiscretisation failed_discretisation(const PhasePlaneBox& box, std::string 
           .cells = cells};
 }
 
-// Returns the reason why the options permit no usable grid; empty if a grid is usable.
+// Returns the reason why the options permit no usable grid; empty if the grid is usable.
 std::string grid_failure_reason(const problem::Problem& problem, const FiniteVolumeOptions& options,
                                 const PhasePlaneBox& box, double nx, double nv) {
   if (options.impact == ImpactCondition::map) {
@@ -170,7 +171,8 @@ double extended_axis_end(int added_cells, int cells, double length, const CellGr
   const double present = graded_cell_count(length, 1, grading),
                added = present * added_cells / cells;
   if (added_cells == 0) return length;
-  // The number of cells of an axis increases at least in proportion to the length of the axis.
+  // The bracket contains the root, since the number of cells increases at least in proportion to
+  // the length of the axis.
   return numerics::bracketed_root(
       [&](double end) { return graded_cell_count(end, 1, grading) - present - added; }, length,
       length + 2 * added);
@@ -183,11 +185,12 @@ int additional_cells(int cells, double length, double length_factor, const CellG
 
 // Coordinate s(x) in which the cells of x1 have equal widths, apart from the refinement points: the
 // integral of l / l(x), with the local length scale l(x) of the density. Near an equilibrium of
-// stiffness k the deviation of the displacement is the deviation of the velocity divided by
-// sqrt(k). Hence l(x) = l_v / sqrt(f'(x)), at most the length scale l of the whole density. The
-// slope of l(x) is at most 1, so that the widths of neighbouring cells differ by at most a quarter.
-// A force without kinks has s(x) = x, because only kinks separate springs of very different
-// stiffness.
+// stiffness k the standard deviation of the displacement is the standard deviation of the velocity
+// divided by sqrt(k). The local length scale is therefore l(x) = l_v / sqrt(f'(x)), at most the
+// length scale l of the whole density, with the length scale l_v of the velocity and the stiffness
+// f'(x). The slope of the local length scale l(x) is at most 1, so that the widths of neighbouring
+// cells differ by at most a quarter. For a force without kinks s(x) = x, because only kinks
+// separate springs of very different stiffness.
 class StretchedCoordinate {
  public:
   StretchedCoordinate(const problem::System& system, const PhasePlaneBox& box,
@@ -219,8 +222,8 @@ class StretchedCoordinate {
   }
 
  private:
-  // Number of table intervals. The narrowest cell of the largest grids (300 x 300 cells, kMaxCells)
-  // contains two intervals.
+  // Number of intervals of the table. The narrowest cell of the largest grids (300 x 300 cells,
+  // kMaxCells) contains two intervals of the table.
   static constexpr int kIntervals = 2000;
 
   double position(int node) const { return from_ + node * interval_; }
@@ -229,13 +232,13 @@ class StretchedCoordinate {
   std::vector<double> values_;  // s at the ends of the intervals
 };
 
-// Requirements on the cells of the displacement axis x1 whose faces include the refinement points
+// Requirements on the cells of the displacement axis x1, with faces at the refinement points
 struct DisplacementCellRequirements {
   const PhasePlaneBox& box;
   const std::vector<RefinementPoint>& points;
   const StretchedCoordinate& stretched;
 
-  // Returns the product of the number of cells and the cell width far from the refinement points.
+  // Returns the number of cells of the axis times the cell width far from the refinement points.
   double refined_length() const {
     const double length = box.x1_max - box.x1_min;
     double total = stretched(box.x1_max) - stretched(box.x1_min);
@@ -262,7 +265,7 @@ DensityLengthScales fisher_length_scales(const problem::System& system, const Ph
   // error
   constexpr double kFaint = 1e-3;
   constexpr double kShortest = 0.25;  // minimum length scale, in standard deviations
-  // Maximum number of length scales along the axis, since a long tail is smooth
+  // Maximum number of length scales of the density along the axis, since a long tail is smooth
   constexpr double kMost = 25;
   const Eigen::Index nx = grid.nx(), nv = grid.v_cell_count();
   const double faint = kFaint * averages.maxCoeff();
@@ -346,11 +349,12 @@ PlaneDiscretisation discretise_density_equation(const problem::Problem& problem,
   const double length = box.x1_max - box.x1_min;
   std::vector<RefinementPoint> points;
   if (graded.at_left_wall) points.push_back({box.x1_min, graded.x1});
-  // Faces at the kinks of force and factors keep the order of the averages over cells.
+  // Cell faces at the kinks of force and excitation factors preserve the order of cell averages.
   const std::vector<double> kinks =
       problem::coefficient_kinks_in_y(problem, box.x1_min, box.x1_max);
-  // An axis of usual grids has about 100 cells. If the axis has more kinks than kMostKinks, the
-  // distances between kinks are below the cell width, and faces at the kinks would only add cells.
+  // The axes of usual grids have about 100 cells. If the force has more kinks than kMostKinks, the
+  // distances between kinks are below the cell width, and cell faces at the kinks would only
+  // increase the number of cells.
   constexpr std::size_t kMostKinks = 100;
   if (kinks.size() <= kMostKinks) {
     for (const double kink : kinks) points.push_back({kink, {}});
@@ -359,7 +363,7 @@ PlaneDiscretisation discretise_density_equation(const problem::Problem& problem,
   const StretchedCoordinate stretched(system, box, lengths);
   const DisplacementCellRequirements x1_cells{box, points, stretched};
   const double least = min_axis_cell_count(options);
-  // The call value_or() would convert the double to int.
+  // value_or() is not used here, since value_or() would convert the automatic number to int.
   const double nx = options.nx ? *options.nx
                                : axis_cell_count(x1_cells.refined_length(),
                                                  std::min(widths.x1, length / least), least);
@@ -407,7 +411,8 @@ ExcitationOnUnboundedAxis unbounded_axis_excitation(const problem::Problem& prob
       regularisation_length(problem, options, GridAxis::with_uniform_cells(0, cell_width, 1));
   int reach = excitation_half_bandwidth(length, cell_width, points);
   if (options.equation == DensityEquation::km4_pade) {
-    // The kernel of the inverse in the Pade approximant decays as exp(-|x2| / sqrt(b)).
+    // The kernel of the inverse operator in the Pade approximant decays as exp(-|x2| / sqrt(b)),
+    // with the kernel length sqrt(b).
     reach += static_cast<int>(std::ceil(
         kPadeReach * std::sqrt(pade_kernel_length_squared(problem.impulses)) / cell_width));
   }

@@ -20,29 +20,30 @@ struct PhasePlaneBox {
       {};  ///< units of the cell widths; 0 selects standard deviations as units
 };
 
-/// Maximum number of cells of a grid. With kMaxCells cells the factors of the preconditioner and
-/// the vectors of GMRES take about two gigabytes of memory.
+/// Maximum number of cells of a grid. With the maximum number of cells, the factors of the
+/// preconditioner and the vectors of GMRES take about two gigabytes of memory.
 inline constexpr int kMaxCells = 100000;
 
 struct PlaneDiscretisation {
   PhasePlaneGrid grid;
   DiscretisedExcitation excitation;
-  /// regularisation length l of km4 that was used; 0 for other equations
+  /// regularisation length l of the truncated Kramers-Moyal equation `km4`; 0 for other equations
   double regularisation_length = 0;
-  /// Reason why no grid exists, and what to do; empty if a grid exists
+  /// Reason why no grid exists, and a remedy; empty if a grid exists
   std::string failure = {};
   double cells = 0;  ///< number of cells of the grid; without a grid, the required number of cells
 };
 
-/// Returns the grid and the excitation discretised on the grid. The cell widths are about 1/7 (x1)
-/// and 1/6 (x2) of a standard deviation, or of a length scale of the computational box. On a graded
-/// grid the cells far from the origin are 1.6 times as wide as the cells of a uniform grid. If the
-/// force has kinks in x1, the cells of x1 are narrower where the spring is stiffer.
+/// Returns the grid and the excitation discretised on the grid. The cell widths are about 1/7
+/// (displacement x1) and 1/6 (velocity x2) of a standard deviation of the density, or of a length
+/// scale of the computational box. On a graded grid the cells far from the origin are 1.6 times as
+/// wide as the cells of a uniform grid. If the force has kinks in the displacement x1, the cells of
+/// x1 are narrower where the stiffness of the spring is larger.
 PlaneDiscretisation discretise_density_equation(const problem::Problem& problem,
                                                 const FiniteVolumeOptions& options,
                                                 const PhasePlaneBox& box);
 
-/// Computational box, and the numbers of cells of the grid in the computational box.
+/// Computational box of the phase plane, with the numbers of grid cells in x1 and x2.
 struct EnlargedBox {
   PhasePlaneBox box;
   int nx;
@@ -73,20 +74,21 @@ ExcitationOnUnboundedAxis unbounded_axis_excitation(const problem::Problem& prob
                                                     const FiniteVolumeOptions& options,
                                                     double cell_width);
 
-/// Returns the initial computational box, whose ends the solver may move outwards. Ends that the
-/// options set are not moved. In x1 the computational box extends over 6 standard deviations of
-/// equivalent linearisation from the static deflection. In x2 the computational box extends over 7
-/// standard deviations of equivalent linearisation, and at least 6.5 standard deviations of a
-/// single impulse. Without has_linearised_scales() the computational box has the limits of
-/// problem::MotionScales, or ends at the walls.
+/// Returns the initial computational box, whose ends the solver moves outwards unless the options
+/// set the ends. In the displacement x1 the computational box extends over 6 standard deviations of
+/// equivalent linearisation from the static deflection. In the velocity x2 the computational box
+/// extends over 7 standard deviations of equivalent linearisation, and at least 6.5 standard
+/// deviations of the impulse amplitude. For problems without has_linearised_scales() the
+/// computational box has the limits of problem::MotionScales, or ends at the walls.
 PhasePlaneBox initial_box(const problem::Problem& problem, const FiniteVolumeOptions& options);
 PhasePlaneBox initial_box(const problem::Problem& problem, const problem::MotionScales& scales,
                           const FiniteVolumeOptions& options);
 
 /// Returns the length scales l of a density on a coarse grid from the Fisher information, l^-2 =
-/// E[(d ln p/dx)^2]. The length scales of a normal density are the standard deviations. A density
-/// with several peaks or a ring has length scales below the standard deviations. For the
-/// displacement x1 the derivative is taken in the coordinate in which all cells have equal widths.
+/// E[(d ln p/dx)^2]. For a normal density the length scales l are the standard deviations. A
+/// density with several peaks, or concentrated on a ring, has length scales l below the standard
+/// deviations. For the displacement x1, the derivative in the Fisher information is taken in the
+/// coordinate in which all cells have equal widths.
 DensityLengthScales fisher_length_scales(const problem::System& system, const PhasePlaneBox& box,
                                          const PhasePlaneGrid& grid,
                                          const Eigen::VectorXd& averages,

@@ -13,8 +13,8 @@ TimeDependentOperator::TimeDependentOperator(const problem::Problem& problem,
   const auto excitation_of = [&](const problem::Problem& part) {
     return discretise_excitation_on_same_grid(part, options, discretisation).excitation;
   };
-  // The operator is linear in the coefficients of the excitation. Each time-dependent term is
-  // therefore the difference between the operators with and without one part of the excitation.
+  // The Fokker-Planck operator is linear in the coefficients of the excitation. Each time-dependent
+  // term is therefore the difference of the operators with and without one part of the excitation.
   const problem::ExcitationTimeDependence& time = problem.time;
   problem::Problem constant = problem;
   if (time.has_rate_factor()) constant = without_impulses(std::move(constant));

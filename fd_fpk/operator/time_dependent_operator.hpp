@@ -15,8 +15,9 @@ namespace fpkcheck::fd_fpk {
 ///
 ///     L(t) = L_0 + a(t) L_impulses + b(t) L_noise - F(t) d/dv,
 ///
-/// with the factors a and b and the force F of problem::ExcitationTimeDependence. For a constant
-/// excitation L(t) is the operator of fokker_planck_operator().
+/// with the factors a(t) and b(t) of the excitation and the force F(t) of
+/// problem::ExcitationTimeDependence. For a constant excitation the operator L(t) is the operator
+/// of fokker_planck_operator().
 class TimeDependentOperator {
  public:
   TimeDependentOperator(const problem::Problem& problem, const FiniteVolumeOptions& options,
@@ -24,7 +25,6 @@ class TimeDependentOperator {
 
   /// Returns L(t) P for cell averages P.
   Eigen::VectorXd apply_at_time(double t, const Eigen::VectorXd& cell_averages) const;
-  /// Returns the integral of a density with the given cell averages.
   double total_mass(const Eigen::VectorXd& cell_averages) const {
     return constant_.total_mass(cell_averages);
   }
@@ -39,7 +39,7 @@ class TimeDependentOperator {
   std::vector<Term> terms_;
 };
 
-/// Returns the excitation at the time t, with the drift of the force F(t).
+/// Returns the discretised excitation at the time t, including the drift due to the force F(t).
 DiscretisedExcitation excitation_at_time(const problem::Problem& problem,
                                          const FiniteVolumeOptions& options,
                                          const PlaneDiscretisation& discretisation, double t);

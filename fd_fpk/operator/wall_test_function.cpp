@@ -11,9 +11,10 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Table of the functions phi, phi', theta and chi' of WallTestFunction on equidistant s, with cubic
-// Hermite interpolation. The differential equations give the derivatives for the interpolation. The
-// interpolation error is step^4 / 384 times a fourth derivative, below 1e-10.
+// Table of the functions phi, phi', theta and chi' of WallTestFunction at equidistant values of s,
+// with cubic Hermite interpolation. The ordinary differential equations of phi and chi give the
+// derivatives for the Hermite interpolation. The interpolation error, step^4 / 384 times a fourth
+// derivative, is below 1e-10.
 class WallTestFunctionTable {
  public:
   static const WallTestFunctionTable& table() {
@@ -37,7 +38,7 @@ class WallTestFunctionTable {
     if (std::abs(s) > kEnd) return asymptotics_.chi_slope(s) + (s < 0 ? limit_below_.chi_slope : 0);
     return interpolate(s, &Node::chi_slope, chi_curvature);
   }
-  /// Returns the limit of chi' for s -> -inf.
+  /// Returns the limit of the derivative chi'(s) for s -> -inf.
   double chi_slope_limit_below() const { return limit_below_.chi_slope; }
 
  private:
@@ -59,8 +60,8 @@ class WallTestFunctionTable {
   }
 
   // Asymptotic series for large |s| in powers of s^-3: phi' = sum a_n s^(-1-3n), theta = sum t_n
-  // s^(-2-3n). The differential equations give the coefficients a_n and t_n by recursion. At kEnd
-  // the truncation error is below 1e-11.
+  // s^(-2-3n). The ordinary differential equations give recursions for the coefficients a_n and
+  // t_n. At |s| = kEnd the truncation error of the asymptotic series is below 1e-11.
   class AsymptoticSeries {
    public:
     AsymptoticSeries() {
@@ -111,7 +112,7 @@ class WallTestFunctionTable {
   WallTestFunctionTable() : nodes_(kLast + 1) {
     nodes_[kLast] = {asymptotics_.phi(kEnd), asymptotics_.phi_slope(kEnd), asymptotics_.theta(kEnd),
                      asymptotics_.chi_slope(kEnd)};
-    // The Runge-Kutta steps decrease s, because homogeneous solutions decay towards smaller s.
+    // The Runge-Kutta steps decrease s, because homogeneous solutions decay with decreasing s.
     constexpr int kParts = 4;
     constexpr double h = -kStep / kParts;
     for (std::size_t k = kLast; k > 0; --k) {

@@ -8,8 +8,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Returns the length rounded up to three digits: a printed regularisation length must be long
-// enough for stability.
+// Returns the regularisation length rounded up to three digits, since the printed length must be
+// sufficient for stability.
 double round_up_to_three_digits(double length) {
   const double digit = std::pow(10, std::floor(std::log10(length)) - 2);
   return std::ceil(length / digit) * digit;
