@@ -14,7 +14,8 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Largest accepted ratio of the residual after GMRES to the residual of the initial density.
+// Largest accepted ratio of the stationarity residual after GMRES to the stationarity residual of
+// the initial density.
 constexpr double kLeastReduction = 1e-4;
 
 DirectStationarySolution solve_on_grid(const problem::Problem& problem,
@@ -29,8 +30,9 @@ DirectStationarySolution solve_on_grid(const problem::Problem& problem,
             .failure = std::move(failure)};
   }
   const PhasePlaneGrid& grid = discretisation.grid;
-  // The Fokker-Planck operator and the factors of its preconditioner are independent, and two
-  // threads compute them in parallel. find_null_vector() reports a failed factorisation.
+  // The Fokker-Planck operator and the factors of its preconditioner are independent, so that two
+  // threads compute operator and factors in parallel. The function find_null_vector() reports a
+  // failed factorisation.
   FokkerPlanckOperator op;
   std::optional<Preconditioner> preconditioner;
   base::parallel_for(2, base::kOneThreadPerProcessor, [&](std::size_t part) {
@@ -62,18 +64,18 @@ DirectStationarySolution solve_on_grid(const problem::Problem& problem,
 
 enum class BoxLengthScaleSource { given, of_density };
 
-// Solves in the computational box `box`, whose free ends move outwards until the density at the
-// free ends is negligible. After the deadline, an acceptable density at the ends suffices. With
-// BoxLengthScaleSource::of_density the cell widths follow the length scales of the density.
-// Standard deviations overestimate these length scales for a density with several wells or a ring,
-// and wide cells would smooth the tails.
+// Computes the stationary density in a computational box whose free ends move outwards until the
+// density at the free ends is negligible. After the deadline, free ends of the computational box
+// with an acceptable density are not moved. With BoxLengthScaleSource::of_density the cell widths
+// follow the length scales of the density. Standard deviations overestimate the length scales of a
+// density with several peaks or a ring, and wide cells would smooth the tails.
 DirectStationarySolution solve_in_wide_enough_box(
     const problem::Problem& problem, const problem::MotionScales& scales,
     const FiniteVolumeOptions& options, const base::Deadline& deadline, PhasePlaneBox& box,
     BoxLengthScaleSource lengths = BoxLengthScaleSource::given) {
   constexpr double kWidening = 1.15;
   constexpr double kFall = 1.5;
-  // Approximate ratio of the computing times in the widened and in the previous computational box
+  // Approximate ratio of the computing times in an enlarged and in the previous computational box
   constexpr double kTimeRatio = 1.5;
   constexpr int kMostUpdates = 3;
   constexpr double kSame = 0.9;
@@ -114,8 +116,8 @@ DirectStationarySolution solve_in_wide_enough_box(
       if (widen_x1_low) box.x1_min -= by;
     }
     if (widen_x2) box.x2_max *= kWidening;
-    // For each end of the computational box, `last` contains the density at the end before the last
-    // move of the end.
+    // The variable `last` contains the density at each end of the computational box before its last
+    // move.
     if (widen_x1) last.x1 = wall.x1;
     if (widen_x2) last.x2 = wall.x2;
     if (widen_x1_low) last.x1_low = wall.x1_low;

@@ -31,26 +31,26 @@ struct DirectStationarySolution {
 /// Motion scales and computational box of a problem, which do not depend on the grid.
 struct MotionScalesAndComputationalBox {
   problem::MotionScales scales;
-  /// Computational box by stationary_box(); if absent, compute_direct_solution() computes the
-  /// computational box
+  /// Computational box from stationary_box(), computed by compute_direct_solution() if absent
   std::optional<PhasePlaneBox> box = {};
 };
 
 /// Returns the computational box for the stationary density. Ends of initial_box() that the options
-/// leave free move outwards until the stationary density at the end, computed on coarse grids, is
-/// negligible. For problems without has_linearised_scales(), the returned box also contains the
-/// length scales of the density.
+/// do not fix move outwards until the stationary density at each end, computed on coarse grids, is
+/// negligible. For problems without has_linearised_scales(), the returned computational box also
+/// contains the length scales of the density.
 PhasePlaneBox stationary_box(const problem::Problem& problem, const problem::MotionScales& scales,
                              const FiniteVolumeOptions& options, const base::Deadline& deadline);
 
-/// Computes the null vector in a computational box at whose ends the density is negligible, on a
-/// grid that resolves the density. The solver adapts box and grid as far as the options leave box
-/// and grid free. An end of the computational box with a density above options.wall_density times
-/// the peak moves outwards by 15 %, as long as each move decreases the density at the end. After
-/// the deadline an end moves only if the density at the end exceeds kMaxBoxEdgeDensity, because the
-/// solution would otherwise be rejected. An automatic grid is refined, first at a spike at the
-/// origin, while the density violates kAutomaticGridResolutionLimits and the deadline has not
-/// passed.
+/// Computes the stationary density as the null vector of the Fokker-Planck operator, in a
+/// computational box at whose ends the density is negligible, on a grid that resolves the density.
+/// The solver adapts computational box and grid unless the options fix box and grid. An end of the
+/// computational box at which the density exceeds options.wall_density times the peak moves
+/// outwards by 15 %, as long as each move decreases the density at that end. After the deadline, an
+/// end of the computational box moves only if the density at that end exceeds kMaxBoxEdgeDensity,
+/// because a solution with such a density at an end would be rejected. An automatic grid is
+/// refined, first at a spike at the origin, while the density violates
+/// kAutomaticGridResolutionLimits and the deadline has not passed.
 DirectStationarySolution compute_direct_solution(
     const problem::Problem& problem, const MotionScalesAndComputationalBox& scales_and_box,
     const FiniteVolumeOptions& options, const base::Deadline& deadline);

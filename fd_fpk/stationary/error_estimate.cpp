@@ -24,8 +24,8 @@ const transform::GridDensity& grid_density_of(const Solution& solution) {
   return std::get<transform::GridDensity>(*solution.density);
 }
 
-// Merges neighbouring bins of a marginal density to bins at least as wide as `width`; a bin next to
-// 0 or at the end may remain narrower.
+// Merges neighbouring bins of a marginal density to bins at least as wide as `width`, except that a
+// bin next to 0 or at an end of the axis may be narrower.
 std::vector<double> merge_narrow_bins(const std::vector<double>& edges, double width) {
   std::vector<double> kept;
   for (const double edge : edges) {
@@ -41,14 +41,14 @@ std::vector<double> merge_narrow_bins(const std::vector<double>& edges, double w
 }
 
 // Returns the differences of moments and marginal densities between two solutions, on the cells of
-// the finer grid. Cells narrower than kNarrowest are merged, because the densities of two grids
-// never agree in the narrow cells of a spike.
+// the finer grid. Cells narrower than kNarrowest are merged, because the densities on two grids
+// never agree in the narrow cells of a density spike.
 transform::GridLevelDifference grid_level_difference(const FiniteVolumeResult& coarser,
                                                      const FiniteVolumeResult& finer) {
   constexpr double kNarrowest = 0.02;  // smallest bin width, in units of the root mean square
   const auto& [y_edges, v_edges, averages] = grid_density_of(finer.solution);
   const auto& moments = finer.solution.moments;
-  // The root mean square of y may exceed the extent of the grid, if the motion is far from y = 0.
+  // The root mean square of y may exceed the extent of the grid, if the density is far from y = 0.
   const double extent = std::min(std::sqrt(moments.y2), y_edges.back() - y_edges.front());
   const auto y = merge_narrow_bins(y_edges, kNarrowest * extent);
   const auto v = merge_narrow_bins(v_edges, kNarrowest * std::sqrt(moments.v2));
@@ -76,8 +76,8 @@ FiniteVolumeOptions with_box_of(const FiniteVolumeOptions& options,
   return with_box_ends(options, summary.x1_max, summary.x2_max);
 }
 
-// Returns the options with the computational box and the refinement that the solution used after
-// automatic changes. All grids of an error estimate use the same box, since different boxes would
+// Returns the options with the computational box and the grid refinement that the solver finally
+// used. All grids of an error estimate have the same computational box, since different boxes would
 // add to the differences of the solutions.
 FiniteVolumeOptions with_used_grid(FiniteVolumeOptions options,
                                    const FiniteVolumeSummary& summary) {
@@ -88,7 +88,7 @@ FiniteVolumeOptions with_used_grid(FiniteVolumeOptions options,
   return with_box_of(options, summary);
 }
 
-// Along characteristics the order is 2, since the density is linear inside each cell.
+// Along characteristics the order of convergence is 2, since the density is linear in each cell.
 int order_of_convergence(const FiniteVolumeOptions& options) {
   constexpr int kAlongCharacteristics = 2;
   return options.transport == TransportScheme::characteristics ? kAlongCharacteristics
@@ -141,9 +141,10 @@ Moments box_truncation_error(const SolveOnOneGrid& solve, const FiniteVolumeOpti
 
 // Raises the error estimates of the moments at least to the residuals of the balances of power and
 // momentum, for solutions along characteristics and for formulas of the force. The observed order
-// of convergence may be too high along characteristics, and for a formula with kinks. A relative
-// error below the residual of a balance would contradict the balance. The dissipated power is
-// proportional to E[v^2], and so to E[y^2]; the mean force is proportional to E[y].
+// of convergence may be too high for solutions along characteristics, and for a force given by a
+// formula with kinks. A relative error of a moment below the relative residual of a balance would
+// contradict the balance. The dissipated power is assumed proportional to E[v^2] and to E[y^2], and
+// the mean force is assumed proportional to E[y].
 Moments raise_to_balance_residuals(Moments error, const FiniteVolumeResult& fine) {
   const auto& [solution, summary] = fine;
   if (!summary.balances_limit_errors) return error;
@@ -193,7 +194,7 @@ FiniteVolumeResult not_converged_result(FiniteVolumeResult best, const FiniteVol
 // Smallest ratio of the computing times on successive grids of a refinement
 constexpr double kTimeRatio = 2.5;
 
-// The difference of solutions on grids with equal numbers of cells does not measure an error.
+// The difference of solutions on equal numbers of cells is no measure of the discretisation error.
 bool have_same_cells(const FiniteVolumeSummary& first, const FiniteVolumeSummary& second) {
   return first.nx > 0 && first.nx == second.nx && first.nv == second.nv;
 }
@@ -225,7 +226,7 @@ bool is_target_accuracy_attainable(const DiscretisationErrorEstimate& error,
   return kTimeFraction * levels * expected_seconds(last) <= deadline.limit_seconds();
 }
 
-// Results on the first three grids of an error estimate.
+// Results of a solver on the three grids of the first error estimate.
 struct ResultsOnThreeGrids {
   FiniteVolumeResult fine;  // with an error estimate, if all three grids have densities
   std::optional<FiniteVolumeResult> middle;  // absent if the fine grid has no density
@@ -250,10 +251,11 @@ bool have_same_box(const FiniteVolumeResult& first, const FiniteVolumeResult& se
          have_same_ends(of_first.v_edges, of_second.v_edges);
 }
 
-// Solves on the grid of the options and on two coarser grids in one computational box, in parallel
-// if the computational box is known. The cells of the coarser grids are wider by the factors
-// kRefinementRatio and kRefinementRatio^2. If the solution on the fine grid has moved the ends of
-// the computational box or refined the cells, the two solutions on coarser grids are repeated.
+// Solves the problem on the grid of the options and on two coarser grids in one computational box,
+// in parallel if the computational box is known. The cells of the coarser grids are wider than the
+// finest cells by the factors kRefinementRatio and kRefinementRatio^2. If the solution on the fine
+// grid has moved the ends of the computational box or refined the cells, the two solutions on
+// coarser grids are repeated.
 ResultsOnThreeGrids solve_on_three_grids(const SolveOnOneGrid& solve,
                                          const FiniteVolumeOptions& options,
                                          const std::optional<PhasePlaneBox>& known_box) {
@@ -284,7 +286,7 @@ ResultsOnThreeGrids solve_on_three_grids(const SolveOnOneGrid& solve,
            coarse.summary.origin_refinement == fine.summary.origin_refinement;
   };
   if (!known_box || !are_coarser_grids_valid()) {
-    // Solutions on the coarser grids are always computed, since no solution may lack an error
+    // Solutions on two coarser grids are always computed, since no solution may lack an error
     // estimate.
     const FiniteVolumeOptions used = with_used_grid(options, fine.summary),
                               coarsest = coarser_grid(used, kCoarse);
@@ -366,15 +368,14 @@ FiniteVolumeResult refine_grid_until_deadline(const SolveOnOneGrid& solve,
   if (!best.summary.error) return best;
   double seconds = grids.fine_seconds;
   FiniteVolumeOptions level = with_direct_solver(with_used_grid(options, best.summary));
-  // The results `middle` and `coarse` belong to the two coarser grids of the last three grids.
+  // The results `middle` and `coarse` are the solutions on the two coarser of the last three grids.
   FiniteVolumeResult middle = best, coarse = std::move(*grids.middle);
-  // The status `failed` is caused by a computational box that is too small, which finer cells do
-  // not correct.
+  // The status `failed` means a too small computational box, which a finer grid does not correct.
   while (best.solution.status != Status::failed &&
          (largest_l1_error(*best.summary.error) > kAutomaticGridTargetL1Error ||
           (goal == GridRefinementGoal::accurate_and_ok && !best.solution.has_status_ok()))) {
-    // If kAutomaticGridTargetL1Error is not attainable in time, the grid is refined only until the
-    // status is `ok`, unless no grid has this status.
+    // If the error kAutomaticGridTargetL1Error is not attainable in time, the grid is refined only
+    // until the status of the solution is `ok`, and not at all if no grid can have this status.
     if ((best.solution.has_status_ok() ||
          has_negative_density_on_all_grids(options, best.solution.min_density)) &&
         !is_target_accuracy_attainable(*best.summary.error, middle.summary, options, deadline)) {
@@ -401,11 +402,11 @@ FiniteVolumeResult refine_grid_to_tolerance(const SolveOnOneGrid& solve,
                                             const FiniteVolumeOptions& options,
                                             const base::Deadline& deadline) {
   constexpr double kFirst = 0.5;  // value of FiniteVolumeOptions::refinement for the coarsest grid
-  // Deficit of the observed order of convergence that indicates a dominant error of the density at
-  // the origin
+  // Deficit of the observed order of convergence above which the error of the density at the origin
+  // is assumed to dominate
   constexpr double kOrdersMissing = 1.5;
-  // Fraction of the error tolerance that truncation by the computational box may take; only a
-  // larger box reduces the truncation error
+  // Fraction of the error tolerance permitted for truncation by the computational box; only a
+  // larger computational box reduces the truncation error
   constexpr double kWalls = 0.25, kLeastOnWall = 1e-12;
   FiniteVolumeOptions level = with_refined_cells(options, kFirst);
   level.wall_density = std::min(options.wall_density, *options.tolerance / 100);

@@ -19,7 +19,7 @@ namespace {
 
 using transform::Status;
 
-// Order of accuracy of moments and fluxes, computed from cell averages by parabolas.
+// Order of accuracy of moments and fluxes that are computed from cell averages by parabolas.
 constexpr int kOrderOfObservables = 3;
 constexpr int kCharacteristicsPerCell = 8;
 
@@ -38,7 +38,7 @@ StationarySolutionOnGrid solve_in_box(const problem::Problem& problem,
   return {.grid = std::move(grid), .found = std::move(found)};
 }
 
-// Masses of the marginal distributions in the cells of y and in the cells of speed.
+// Masses of the marginal distributions in the cells of displacement and in the cells of speed.
 struct MarginalCellMasses {
   Eigen::VectorXd of_y, of_speed;
 };
@@ -64,9 +64,10 @@ double mass_at_end(const StationarySolutionOnGrid& grid_solution,
       {on_left, on_right, marginal_masses.of_speed(marginal_masses.of_speed.size() - 1)});
 }
 
-// Returns the smallest face position beyond which the mass is at most `negligible`. The sum of the
-// mass beyond a face contains absolute values, since the masses of wide cells oscillate in a steep
-// tail. If the last cell contains more mass than `negligible`, the last face is returned.
+// Returns the position of the first cell face beyond which the mass is at most `negligible`. The
+// mass beyond a cell face is the sum of the absolute values of cell masses, since the masses of
+// wide cells oscillate in a steep tail. If the last cell contains more mass than `negligible`, the
+// result is the position of the last face.
 double end_of_support(const GridAxis& axis, const Eigen::VectorXd& masses, double negligible) {
   double beyond = 0;
   int last = axis.cell_count();
@@ -78,8 +79,8 @@ double end_of_support(const GridAxis& axis, const Eigen::VectorXd& masses, doubl
   return axis.face_position(last);
 }
 
-// Returns the largest distance of the support of the density from y = 0, on both sides of an axis
-// without walls.
+// Returns the largest distance from y = 0 of a point with significant density, on both sides of an
+// axis without walls.
 double end_of_support_in_y(const GridAxis& axis, const Eigen::VectorXd& masses, double negligible) {
   const double right = end_of_support(axis, masses, negligible);
   if (axis.left_end_condition() != AxisEndCondition::vacuum) return right;
@@ -94,21 +95,20 @@ double end_of_support_in_y(const GridAxis& axis, const Eigen::VectorXd& masses, 
 }
 
 // Returns a computational box, determined on wide cells, that contains all but a negligible part of
-// the mass. After the deadline the computational box is widened no further if the mass in the cells
-// at the ends of the computational box is at most kMaxMassAtEnd. A solution with more mass in the
-// end cells of the computational box would be rejected.
+// the mass. After the deadline the computational box is enlarged only if the mass in the cells at
+// its ends exceeds kMaxMassAtEnd, because a solution with more mass at the ends would be rejected.
 PhasePlaneBox characteristics_box(const problem::Problem& problem,
                                   const problem::MotionScales& scales,
                                   const FiniteVolumeOptions& options,
                                   const base::Deadline& deadline) {
   constexpr double kCoarse = 0.4, kNegligible = 1e-10, kWider = 1.5;
-  // Around a limit cycle the errors of GMRES, 1e-10 (characteristics/embedded_chain.cpp), spread
-  // over the whole box, since the motion far from the cycle is slow.
+  // With a limit cycle, errors of GMRES of about 1e-10 (characteristics/embedded_chain.cpp) spread
+  // over the whole computational box, since the motion far from the limit cycle is slow.
   constexpr double kNegligibleAroundCycle = 1e-9;
-  // Mass at the ends of the computational box above which the computational box is widened by the
-  // larger factor kFastWidening.
+  // If the mass at the ends of the computational box exceeds kLargeMass, the computational box is
+  // enlarged by the larger factor kFastWidening.
   constexpr double kLargeMass = 1e-3, kFastWidening = 3;
-  // Approximate ratio of the computing times in the wider and the narrower box
+  // Approximate ratio of the computing times in an enlarged and in the previous computational box
   constexpr double kTimeRatio = 1.5;
   constexpr int kMostTimes = 6;
   PhasePlaneBox box = initial_characteristic_box(problem, scales, options);
@@ -144,8 +144,7 @@ PhasePlaneBox characteristics_box(const problem::Problem& problem,
   return box;
 }
 
-// Adds the atoms of mass at rest in contact, and their contributions to the moments, to the
-// solution.
+// Adds the atoms of mass at rest in contact and their contributions to the moments to the solution.
 void add_atoms(const problem::Problem& problem, const StationarySolutionOnGrid& grid_solution,
                transform::Solution& solution) {
   auto& moments = solution.moments;

@@ -23,23 +23,24 @@ PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
                                                 double tolerance, double decay_time,
                                                 const base::Deadline& deadline) {
   constexpr long kMaxSteps = 200;
-  // Time step, in decay times. Longer steps are not used because rounding errors in
-  // (I - gamma L)^-1 displace mass by about 1e-15 gamma ||L||.
+  // Time step of the integration to stationarity, in decay times. Longer time steps are not used
+  // because rounding errors in (I - gamma L)^-1 displace mass by about 1e-15 gamma ||L||.
   constexpr double kStep = 500;
-  // With tolerances above the size of the density, local errors do not limit the steps of CVODE.
+  // With tolerances above the density, local errors do not limit the time steps of CVODE.
   constexpr double kRelativeTolerance = 1, kPeakMultiple = 1000;
   const double absolute_tolerance = kPeakMultiple * initial_averages.maxCoeff();
-  // The tolerances of the time steps refer to the mass of a cell, not to the density. Tolerances of
-  // densities would shorten the steps, because the density varies strongly in the narrow cells at a
-  // singularity. Under white noise at r = 0.6 GMRES took 860 iterations with tolerances of
-  // densities, instead of 372.
+  // The tolerances of the time steps refer to the masses of cells instead of densities. Tolerances
+  // of densities would shorten the time steps, because the density varies strongly in the narrow
+  // cells at a singularity. Under white noise, with the restitution coefficient 0.6, GMRES requires
+  // 860 iterations with tolerances of densities and 372 with tolerances of masses.
   const Eigen::VectorXd absolute_tolerances =
       absolute_tolerance * op.areas.mean() / op.areas.array();
-  // The residual of GMRES in a step, relative to the peak, is gamma times the contribution of the
-  // GMRES residual to L P. The tolerance of GMRES is a tenth of the larger of two residuals: the
-  // residual expected after the step, which is about 1/gamma of the preceding residual in decay
-  // times, and the requested residual. If the requested stationarity residual is very small, kLeast
-  // keeps the tolerance of GMRES above the rounding errors.
+  // In a time step with the coefficient gamma, the GMRES residual relative to the peak density is
+  // gamma times the contribution of the GMRES residual to L P. The tolerance of GMRES is a tenth of
+  // the larger of two residuals: the stationarity residual expected after the time step, about
+  // 1/gamma of the preceding residual with gamma in decay times, and the requested stationarity
+  // residual. If the requested stationarity residual is very small, kLeast keeps the tolerance of
+  // GMRES above the rounding errors.
   constexpr double kPart = 0.1, kLeast = 1e-11;
   const auto linear_tolerance = [&](double residual) {
     const double part = kPart * decay_time * std::max(residual, kStep * tolerance);
@@ -85,8 +86,7 @@ PseudoTransientResult integrate_to_stationarity(const FokkerPlanckOperator& op,
   pseudo_transient.krylov_iterations = cvode.krylov_iteration_count();
   pseudo_transient.krylov_seconds =
       stopwatch.seconds() - (preconditioner.factor_seconds() - factored_before);
-  // After GMRES the density is normalised to mass 1 again, because the residual of GMRES changes
-  // the mass.
+  // The density is normalised to mass 1 again, because the residual of GMRES changes the mass.
   pseudo_transient.averages = cvode.cell_averages() / op.total_mass(cvode.cell_averages());
   return pseudo_transient;
 }
@@ -108,7 +108,7 @@ std::optional<Eigen::VectorXd> stationary_density(DirectStationarySolution& dire
     return std::nullopt;
   }
   const double frequency = direct.scales.frequency;
-  // Number of CVODE steps, each as long as the direct solution, for which time must remain
+  // CVODE starts if this multiple of the time of the direct solution remains before the deadline
   constexpr double kStepsInFull = 20;
   std::optional<PseudoTransientResult> pseudo_transient;
   if (options.stepper == StationarySolver::cvode && direct.converged &&
@@ -170,9 +170,9 @@ void set_results(const problem::Problem& problem, const problem::MotionScales& s
 }
 
 // Returns the computational box enlarged by half in each direction in which the density at the end
-// is significant. If the densities at all ends are negligible, the result is empty. Under rare
-// impulses, for example, the density at a distance of 8 standard deviations is 1e-6 of the peak,
-// and the mass beyond this distance contributes 4e-4 of E[y^4].
+// is significant; empty if the densities at all ends are negligible. Under rare impulses, for
+// example, the density at a distance of 8 standard deviations is 1e-6 of the peak, and the mass
+// beyond this distance contributes 4e-4 of E[y^4].
 std::optional<EnlargedBox> make_enlarged_box(const problem::Problem& problem,
                                              const FiniteVolumeOptions& options,
                                              const PhasePlaneGrid& grid,
@@ -201,7 +201,7 @@ FiniteVolumeResult solve_on_one_grid(const problem::Problem& problem,
                                      const base::Deadline& deadline) {
   FiniteVolumeResult result;
   auto& [solution, summary] = result;
-  // The stability check needs only the velocity step and therefore precedes the solution.
+  // The stability check requires only the velocity step and therefore precedes the solution.
   const auto first = discretise_density_equation(
       problem, options, initial_box(problem, scales_and_box.scales, options));
   set_grid_data(first, summary);

@@ -9,7 +9,7 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Returns the text of the ends of y that are not impact walls, such as "-2 <= y <= 3, " or "y <= 3,
+// Returns a text with the ends of y that are not impact walls, such as "-2 <= y <= 3, " or "y <= 3,
 // "; empty if both ends are impact walls.
 std::string box_ends_text(const problem::WallFrame& frame, const GridAxis& x1) {
   bool low = x1.left_end_condition() == AxisEndCondition::vacuum,
