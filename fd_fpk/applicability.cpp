@@ -10,17 +10,18 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Returns whether the equation has a diffusion term, from white noise or from the impulses.
+// Returns whether the density equation has a diffusion term, from white noise or from the impulses.
 bool has_diffusion(const problem::ProblemFeatures& features, const FiniteVolumeOptions& options) {
   return features.noise || options.equation == DensityEquation::white ||
          options.equation == DensityEquation::km4;
 }
 
-// Returns why finite volumes do not resolve a jump of the force in v; empty for forces that are
-// supported. Without diffusion the oscillator can stick where the force jumps, and the stationary
-// law has atoms there. With diffusion the density has a kink where the force jumps. Finite-volume
-// stencils for a kink exist only on the line v = 0. For 0.1*v + 0.3*sign(v - 0.5) + y under white
-// noise of intensity 0.2 the residual of the power balance is 2 % after 13 s (`fpkcheck fd`).
+// Returns why finite volumes do not resolve a discontinuity of the force in the velocity v; empty
+// for supported forces. Without diffusion the oscillator can stick where the force jumps, and the
+// stationary law has atoms at such points. With diffusion the density has a kink where the force
+// jumps. Finite-volume stencils for a kink of the density exist only on the line v = 0. For 0.1*v +
+// 0.3*sign(v - 0.5) + y under white noise of intensity 0.2 the residual of the power balance is 2 %
+// after 13 s (`fpkcheck fd`).
 std::string unresolved_jump_reason(const problem::Problem& problem, bool has_diffusion) {
   if (!problem.system.has_force_jumps_in_v()) return "";
   if (!has_diffusion) {
@@ -43,9 +44,10 @@ std::string unsupported_reason(const problem::Problem& problem,
   }
   const auto features = problem::problem_features(problem);
   const bool noise = has_diffusion(features, options);
-  // The equation km4 and the impact condition delta act like white noise at the wall. For the
-  // paper's oscillator the solver accepts km4 and delta, as in the paper. Under `white` with the
-  // exact impact, the discretisation reports an inelastic collapse.
+  // The truncated Kramers-Moyal equation `km4` and the impact condition `delta` act like white
+  // noise at the wall. For the paper's oscillator the solver accepts `km4` and `delta`, as in the
+  // paper. For the white-noise equation `white` with the exact impact, the discretisation reports
+  // an inelastic collapse.
   if (noise && !has_linearised_scales(problem)) {
     std::string collapse = problem::inelastic_collapse_reason(problem, DensityEquation::white);
     if (!collapse.empty()) return collapse;
@@ -85,8 +87,8 @@ std::string transient_unsupported_reason(const problem::Problem& problem,
     return "the mass comes to rest in contact with a wall: finite volumes over time do not "
            "represent this atom; compute the stationary density, or use mcs";
   }
-  // The finite-volume stencils at a jump of the force in v depend on the excitation. The operator
-  // is therefore not linear in the time-dependent factors.
+  // The finite-volume stencils at a jump of the force in v depend on the excitation. The
+  // Fokker-Planck operator is therefore not linear in the time-dependent factors of the excitation.
   if (problem.time.is_acting() && problem.system.has_force_jumps_in_v()) {
     return "the force jumps in v (sign) and the excitation changes in time; smooth the jump: "
            "tanh(v/eps)";
@@ -103,7 +105,8 @@ bool can_use_characteristics(const FiniteVolumeOptions& options) {
 namespace {
 
 // Returns whether the damping force supplies energy to the motion at some point of the phase plane.
-// The sign of a damping force given by a formula is tested at points of the phase plane.
+// If a formula gives the damping force, the sign of the damping force is tested at points of the
+// phase plane.
 bool has_negative_damping(const problem::Problem& problem) {
   const problem::System& system = problem.system;
   if (system.has_polynomial_force()) return problem::problem_features(problem).negative_damping;
@@ -123,8 +126,9 @@ bool has_negative_damping(const problem::Problem& problem) {
 }
 
 // Returns the reason why transport along characteristics is unsuitable for motion without a wall.
-// The motion circles a rest point or a limit cycle until an impulse arrives; only strong
-// contraction limits the number of characteristics that circle at different amplitudes.
+// Without a wall, the motion circles a rest point or a limit cycle until an impulse arrives; only
+// strong contraction of the flow limits the number of characteristics that circle at different
+// amplitudes.
 std::string unsupported_circling_reason(const problem::Problem& problem,
                                         const DeterministicFlow& flow) {
   if (!find_rest_points(flow).empty()) {

@@ -10,18 +10,19 @@ namespace fpkcheck::fd_fpk {
 /// Returns the reason why finite volumes cannot solve the problem; empty for a supported problem.
 std::string unsupported_reason(const problem::Problem& problem, const FiniteVolumeOptions& options);
 
-/// Returns the reason why the density over time is unsupported; empty for a supported problem.
+/// Returns why finite volumes cannot compute the density over time; empty for supported problems.
 std::string transient_unsupported_reason(const problem::Problem& problem,
                                          const FiniteVolumeOptions& options);
 
 /// Returns whether the options allow transport along characteristics. Transport along
-/// characteristics requires the equation `kf` with the impact condition `map`. Options that apply
-/// only to upwind differences (cells, grading, order) must be unset.
+/// characteristics requires the Kolmogorov-Feller equation `kf` with the exact impact condition
+/// `map`. Options of upwind differences (number of cells, grading, order) must be unset.
 bool can_use_characteristics(const FiniteVolumeOptions& options);
 
 /// Returns the reason why characteristics (fd_fpk/characteristics/) cannot compute the density of
-/// `kf`; empty if characteristics are applicable. With a wall every motion must lose energy, since
-/// characteristics end at rest points; without a wall the motion must tend to a limit cycle.
+/// the Kolmogorov-Feller equation `kf`; empty if characteristics are applicable. With a wall every
+/// motion must lose energy, since characteristics end at rest points; without a wall the motion
+/// must tend to a limit cycle.
 std::string characteristics_unsupported_reason(const problem::Problem& problem);
 
 /// Returns whether mass comes to rest in contact, as an atom of the stationary law at a wall.

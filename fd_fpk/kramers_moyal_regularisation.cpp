@@ -15,11 +15,11 @@
 namespace fpkcheck::fd_fpk {
 namespace {
 
-// Largest number of cells for which the whole matrix is factored. The dense jump matrix fills the
-// LU factors, and KLU takes minutes for a larger number of cells.
+// Largest number of cells for which the whole matrix of the operator is factored. The dense matrix
+// of the velocity jumps fills the LU factors, and KLU takes minutes for a larger number of cells.
 constexpr int kMostCellsFactored = 5000;
-// Threshold of the real part of the rightmost eigenvalue, in units of sqrt(k_eq), above which an
-// operator counts as unstable.
+// An operator counts as unstable if the real part of its rightmost eigenvalue, in units of
+// sqrt(k_eq), exceeds this threshold.
 constexpr double kUnstableRate = 1e-7;
 
 struct KramersMoyalRegularisation {
@@ -103,7 +103,7 @@ void compare_null_vector_with_kf(const problem::Problem& problem,
                                  const FokkerPlanckOperator& op, bool symbol_grows,
                                  const NullVectorResult& kf,
                                  KramersMoyalRegularisationResult& row) {
-  // The preconditioner of GMRES approximates only Fokker-Planck operators without growing modes.
+  // The preconditioner of GMRES approximates only operators without growing modes sufficiently.
   const NullVectorResult found =
       symbol_grows ? find_null_vector_by_inverse_iteration(
                          op, initial_gaussian(discretisation.grid, problem::motion_scales(problem)),

@@ -178,8 +178,8 @@ constexpr int kMostSnapshots = 10000;
 constexpr int kHighestBdfOrder = 5;
 
 // Upwind-biased operators of orders 3 and 5 have no growing modes. Centred operators, and operators
-// of order 7 with one-sided stencils at the walls, have growing modes. Long implicit steps to
-// stationarity damp growing modes; accurate time steps amplify growing modes.
+// of order 7 with one-sided stencils at the walls, have growing modes. Long implicit time steps to
+// stationarity damp growing modes, whereas accurate time steps amplify growing modes.
 void require_stable_order(int order) {
   if (order != 3 && order != 5) {
     throw InputError(fmt::format(

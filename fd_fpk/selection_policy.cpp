@@ -24,8 +24,8 @@ bool has_short_flights(const problem::Problem& problem) {
   return mean_force_ratio(problem) > kBouncing && problem.system.restitution() < kLosses;
 }
 
-// Returns whether impacts are rare, because impulses of nonzero mean keep the oscillator away from
-// the wall.
+// Returns whether impacts are rare, since impulses of nonzero mean keep the oscillator off the
+// wall.
 bool has_rare_impacts_by_mean_impulse(const problem::Problem& problem) {
   constexpr double kDeviations = 4;
   return problem::static_deflection(problem) >
@@ -37,17 +37,18 @@ bool has_dissipative_wall(const problem::System& system) {
          has_dissipative_impacts(system.right_wall());
 }
 
-// Returns whether the cells of x1 may be graded as the cube of the cells of x2. Finite-volume
-// schemes of even orders and of order 7 oscillate on cells graded as the cube.
+// Returns whether the widths of the cells of x1 may be graded as the cube of the widths of the
+// cells of x2. Finite-volume schemes of even orders and of order 7 oscillate on cells in x1 that
+// are graded as the cube of the cells in x2.
 bool can_grade_cubically(const FiniteVolumeOptions& options) {
   return transport_order(options) == 3 || transport_order(options) == 5;
 }
 
 // Returns whether impulses are so small that the density at a wall has the singularity of white
 // noise down to the resolved lengths. Impulses count as small if their amplitude is below an eighth
-// of the standard deviation of velocity. This threshold was set by error estimates and limits of
-// fine grids for case 1 with r = 0.3 .. 0.7, impulse rates 30 .. 1e6, and Gaussian and exponential
-// impulses (build/release/benchmarks/fpkcheck_rates --restitutions 0.3,0.5,0.7 --rates
+// of the standard deviation of velocity. The threshold of one eighth was set by error estimates and
+// limits of fine grids for case 1 with r = 0.3 .. 0.7, impulse rates 30 .. 1e6, and Gaussian and
+// exponential impulses (build/release/benchmarks/fpkcheck_rates --restitutions 0.3,0.5,0.7 --rates
 // 30,100,1e3,1e4,1e6).
 bool are_impulses_small(const problem::Problem& problem) {
   constexpr double kShort = 1.0 / 8;
@@ -56,8 +57,8 @@ bool are_impulses_small(const problem::Problem& problem) {
          kShort * problem::motion_scales(problem).velocity_deviation;
 }
 
-// Returns the coefficient of p'' in the terms that act on the shortest resolved lengths: white
-// noise, the truncated Kramers-Moyal series, and small impulses.
+// Returns the coefficient of p'' in the excitation terms that act on the shortest resolved lengths:
+// white noise, the truncated Kramers-Moyal series, and small impulses.
 double diffusion_coefficient(const problem::Problem& problem, DensityEquation equation) {
   const bool local = equation == DensityEquation::km4 || equation == DensityEquation::white ||
                      are_impulses_small(problem);
@@ -65,9 +66,10 @@ double diffusion_coefficient(const problem::Problem& problem, DensityEquation eq
 }
 
 // Returns whether the density at a wall with losses has the singularity u^-beta
-// (exact::wall_exponent), to which cells are graded. The singularity occurs under white noise and
-// under impulses that act as white noise. For problems without has_linearised_scales() the
-// singularity also occurs under the truncated series km4.
+// (exact::wall_exponent) at the speed u = 0, towards which cells are graded. The singularity
+// u^-beta of the density occurs under white noise and under impulses that act as white noise. For
+// problems without has_linearised_scales() the singularity also occurs for the truncated
+// Kramers-Moyal equation `km4`.
 bool has_wall_singularity(const problem::Problem& problem, const FiniteVolumeOptions& options) {
   if (!has_linearised_scales(problem)) {
     return diffusion_coefficient(problem, options.equation) > 0;
@@ -84,8 +86,8 @@ double automatic_origin_refinement(const problem::Problem& problem,
   }
   const bool singular = has_wall_singularity(problem, options);
   // Schemes of high order oscillate on narrow cells at the spike of the density that rare impulses
-  // cause. A wide cell represents the density spike as a mass. Under white noise the stationary
-  // density has no spike.
+  // cause. A wide cell represents the spike of the density as a mass. Under white noise the
+  // stationary density has no spike.
   if (!singular && is_density_unbounded_at_origin(problem)) return 1;
   if (has_linearised_scales(problem) && has_rare_impacts_by_mean_impulse(problem)) return 1;
   return singular ? kOriginRefinementUnderWhiteNoise : kOriginRefinement;
@@ -101,8 +103,8 @@ bool must_satisfy_balances(const problem::Problem& problem) {
   return !has_linearised_scales(problem);
 }
 
-// The thresholds between characteristics and upwind differences are empirical, from random problems
-// (docs/limits.md).
+// The thresholds of the choice between characteristics and upwind differences are empirical, from
+// random problems (docs/limits.md).
 bool are_characteristics_preferred(const problem::Problem& problem,
                                    double impulses_per_decay_time) {
   constexpr double kRare = 3, kFrequent = 500;  // limits of the number of impulses per decay time
@@ -136,10 +138,9 @@ int automatic_scheme_order(const problem::Problem& problem) {
 }
 
 // A computational box with the default FiniteVolumeOptions::wall_density truncates the tails of the
-// density under impulses. The truncated tails contribute a fraction 2e-7 of E[v^2]. The truncated
-// tails contribute a fraction 2e-5 of the part of E[v^4] due to the fourth cumulant. For problems
-// with has_linearised_scales(), a solution in an enlarged computational box estimates the
-// truncation error instead.
+// density under impulses. The truncated tails contribute a fraction 2e-7 of E[v^2], and a fraction
+// 2e-5 of the part of E[v^4] due to the fourth cumulant. For problems with has_linearised_scales(),
+// a solution in an enlarged computational box estimates the truncation error.
 double box_edge_density_factor(const problem::Problem& problem) {
   constexpr double kTails = 1e-2, kTailsOfImpulses = 2e-3;
   return problem.impulses.is_acting() ? kTailsOfImpulses : kTails;
@@ -151,11 +152,12 @@ bool has_automatic_grid(const FiniteVolumeOptions& options) {
          options.refinement == defaults.refinement;
 }
 
-// For kLimit, ten times the limit of the status `ok` (kStationaryResolutionLimits), the status
-// would be the same on all grids: in case 1 with r = 0.3 .. 0.9 and impulse rates 0.3 .. 30 the
-// smallest density changes by less than a factor of 2 if the cells become narrower by a factor of 4
-// (`fpkcheck fd case1 --equation km4 --impact delta --set system.restitution=R --set
-// impulse.rate=LAMBDA --refinement F`, F = 0.35 .. 1.5).
+// If the smallest density is below kLimit, ten times the limit of the status `ok`
+// (kStationaryResolutionLimits), no finer grid would give the status `ok`: in case 1 with r = 0.3
+// .. 0.9 and impulse rates 0.3 .. 30 the smallest density changes by less than a factor of 2
+// between grids whose cell widths differ by a factor of 4 (`fpkcheck fd case1 --equation km4
+// --impact delta --set system.restitution=R --set impulse.rate=LAMBDA --refinement F`, F = 0.35 ..
+// 1.5).
 bool has_negative_density_on_all_grids(const FiniteVolumeOptions& options, double min_density) {
   constexpr double kLimit = -1e-3;
   return options.impact == ImpactCondition::delta && min_density < kLimit;
@@ -177,17 +179,18 @@ double effective_origin_refinement(const problem::Problem& problem,
 }
 
 // Under white noise with losses, the density near the origin is v^-beta times a function of D2 y /
-// v^3 (Cornell, Swift, Bray 1998). The force has no effect, since noise dominates slow motion at
-// the wall. Cells that resolve x2 down to the length `core` must resolve x1 down to core^3 / D2. If
-// the cells of x1 are graded like the cells of x2, the computed impact rate is too small (by 1 % at
-// r = 0.6). If the widths of neighbouring cells differ by more than a quarter, a grid-scale ripple
-// of up to 4 % of p(y) is amplified. The length kLongReach keeps the differences of cell widths
-// below a quarter, also on the coarser grids of an error estimate.
+// v^3 (Cornell, Swift, Bray 1998). The force has no effect on the density near the origin, since
+// noise dominates slow motion at the wall. If the cells resolve the velocity x2 down to the length
+// `core`, they must resolve the displacement x1 down to core^3 / D2. If the cells of x1 are graded
+// like the cells of x2, the computed impact rate is too small (by 1 % at the restitution
+// coefficient 0.6). If the widths of neighbouring cells differ by more than a quarter, a grid-scale
+// ripple of up to 4 % of p(y) is amplified. The length kLongReach keeps the relative differences of
+// neighbouring cell widths below a quarter, also on the coarser grids of an error estimate.
 GridCellGradings automatic_gradings(const problem::Problem& problem,
                                     const FiniteVolumeOptions& options,
                                     const DensityLengthScales& lengths) {
-  // Distances from the refinement point, in length scales, at which cells have half of the width
-  // far from the point.
+  // Distances from a refinement point, in length scales of the density, at which the cells have
+  // half of the width of cells far from the point.
   constexpr double kLongReach = 2, kReach = 0.75;
   const double factor = effective_origin_refinement(problem, options);
   if (factor == 1) return {};
@@ -211,10 +214,10 @@ DensityLengthScales automatic_cell_widths(const problem::Problem& problem,
                                           const FiniteVolumeOptions& options,
                                           const DensityLengthScales& lengths) {
   // Cell widths of automatic grids, in length scales of the density. The steep tail of p(y)
-  // requires narrower cells in x1 than in x2.
+  // requires narrower cells in the displacement x1 than in the velocity x2.
   constexpr double kX1Step = 0.15, kX2Step = 0.16;
-  // Wider cells far from the refinement points compensate the number of narrow cells near the
-  // refinement points.
+  // Wide cells far from the refinement points limit the total number of cells, in spite of many
+  // narrow cells near the refinement points.
   constexpr double kGradedWidth = 1.6;
   double factor =
       (effective_origin_refinement(problem, options) == 1 ? 1 : kGradedWidth) / options.refinement;

@@ -63,14 +63,14 @@ class Solver {
         solve_with_transport(along ? TransportScheme::characteristics : TransportScheme::upwind,
                              base::Deadline(options_.tolerance ? deadline_.limit_seconds()
                                                                : deadline_.limit_seconds() / 2));
-    // If upwind finite volumes are the first choice, their solution is final only if the error
-    // estimate is also below kSmallError.
+    // If upwind finite volumes are the transport scheme of first choice, their solution is final
+    // only if the error estimate is also below kSmallError.
     if (first.solution.has_status_ok() && (along || has_small_error(first))) return first;
-    // An alternative transport does not reach the tolerance faster than the transport of first
-    // choice.
+    // The alternative transport scheme does not reach the error tolerance faster than the transport
+    // scheme of first choice.
     if (options_.tolerance && first.solution.density) return first;
     // Above kMaxImpulsesPerDecayTimeForCharacteristics characteristics would visit too many cells.
-    // A computational box that the options set applies to both transport schemes.
+    // If the options set the computational box, the box applies to both transport schemes.
     const bool given_box = options_.x1_max || options_.x2_max;
     if (given_box ||
         (!along && impulses_per_decay_time > kMaxImpulsesPerDecayTimeForCharacteristics))
@@ -95,13 +95,12 @@ class Solver {
                                           const base::Deadline& deadline) const {
     FiniteVolumeOptions options = options_;
     options.transport = transport;
-    // Transport along characteristics has no adjustable order.
+    // Transport along characteristics has no adjustable order of accuracy.
     if (transport == TransportScheme::upwind) {
       options.order = options.order.value_or(automatic_scheme_order(problem_));
     }
     MotionScalesAndComputationalBox scales_and_box{.scales = scales_};
-    // All grids of one solution share the computational box and the length scales that determine
-    // the cell widths.
+    // All grids of one solution have the same computational box and length scales for cell widths.
     if (!has_linearised_scales(problem_) && transport == TransportScheme::upwind) {
       options.wall_density *= box_edge_density_factor(problem_);
       scales_and_box.box = stationary_box(problem_, scales_and_box.scales, options, deadline);
@@ -127,8 +126,8 @@ class Solver {
   const problem::Problem& problem_;
   const problem::MotionScales scales_;
   const FiniteVolumeOptions& options_;
-  // Fraction of the time limit max_seconds; a running solution ends only when its solver next
-  // checks the deadline.
+  // Fraction of the time limit max_seconds until the deadline, since a running solution ends only
+  // when the solver next checks the deadline.
   static constexpr double kDeadlineFraction = 0.98;
   base::Deadline deadline_;
 };

@@ -13,8 +13,7 @@ namespace {
 using transform::SolverMetricsBuilder;
 using transform::value_from_count;
 
-// Difference of two densities, as a fraction of the peak density, below which the difference is
-// insignificant.
+// Difference of two densities, relative to the peak density, that counts as insignificant.
 constexpr double kInsignificant = 1e-6;
 
 void add_density_metric(SolverMetricsBuilder& builder, const std::string& path, double density) {
@@ -22,7 +21,7 @@ void add_density_metric(SolverMetricsBuilder& builder, const std::string& path, 
 }
 
 void add_metrics(SolverMetricsBuilder& builder, const DiscretisationErrorEstimate& error) {
-  // The error estimate of the impact rate is a work metric, which need not be reproducible.
+  // The error estimate of the impact rate is a diagnostic metric, which need not be reproducible.
   if (std::isfinite(error.impact_rate))
     builder.add_diagnostic_metric("error.impact_rate", error.impact_rate);
   // The observed order of convergence, a logarithm of small differences, is sensitive to rounding
@@ -31,8 +30,8 @@ void add_metrics(SolverMetricsBuilder& builder, const DiscretisationErrorEstimat
                .value = error.observed_order,
                .is_rounding_sensitive = true});
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
-    // Rounding errors of an extrapolated moment scale with the moment itself, rounding errors of
-    // E[y'] with the root mean square velocity.
+    // Rounding errors of an extrapolated moment are proportional to the moment itself, but rounding
+    // errors of E[y'] are proportional to the root mean square velocity.
     builder.add({.path = std::string("error.extrapolated.") + name,
                  .value = error.extrapolated.*moment,
                  .min_scale = std::max(0.1, std::abs(error.extrapolated.*size))});

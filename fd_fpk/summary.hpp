@@ -16,14 +16,13 @@ namespace fpkcheck::fd_fpk {
 struct DiscretisationErrorEstimate {
   double y_l1 = 0;
   double ydot_l1 = 0;
-  /// Estimated absolute errors of the moments, due to the discretisation and to the finite
-  /// computational box
+  /// Estimated absolute errors of the moments, due to the grid and to the finite computational box
   transform::Moments moments = {};
   transform::Moments box_truncation = {};  ///< part of `moments` due to the finite box
   /// Order of convergence observed in the differences of the marginal densities
   double observed_order = 0;
   transform::Moments extrapolated = {};  ///< limits of the moments by Richardson extrapolation
-  /// estimated discretisation error on the finest grid, divided by the difference of the two finest
+  /// Estimated discretisation error on the finest grid over the difference of the two finest
   /// solutions
   double factor = 0;
   std::vector<double> rest_probabilities = {};  ///< error of the probability of each atom at rest
@@ -56,19 +55,20 @@ struct FiniteVolumeSummary {
   double factor_seconds = 0;
   double krylov_seconds = 0;
   double residual = 0;  ///< stationarity residual ||L P||_1 / ||P||_1, in units of sqrt(k_eq)
-  /// Largest difference of the pseudo-transient and the direct density, relative to the peak
+  /// Largest difference of the densities from pseudo-transient time steps and from the direct
+  /// solution, relative to the peak density
   double stepped_against_direct = 0;
   double regularisation_length = 0;  ///< regularisation length l of km4; 0 for other equations
   double growth_rate = 0;  ///< largest real part of the excitation's symbol (positive: ill-posed)
   double growth_wavenumber = 0;
   BoxEdgeDensity wall{0, 0};  ///< density on the edges of the box, relative to the peak
-  /// Larger computational box in which a second solution measures the truncation error, if the
-  /// error is not negligible
+  /// Larger computational box, in which a second solution measures the truncation error of the
+  /// first computational box, if this error is not negligible
   std::optional<EnlargedBox> enlarged_box = {};
   transform::Moments moments_outside_box = {};  ///< estimated moments of the tails outside the box
   /// Estimated discretisation errors; absent if the options do not request an error estimate
   std::optional<DiscretisationErrorEstimate> error = {};
-  /// Whether the residuals of the balances are lower limits of the error estimate, since the
+  /// Whether the error estimate is at least as large as the residuals of the balances, since the
   /// observed order of convergence may be too high
   bool balances_limit_errors = false;
   /// Mean absolute power E[|v f|] of the damping force f in units of the input power, for motion
@@ -78,12 +78,12 @@ struct FiniteVolumeSummary {
   double exchanged_power = 1;
   /// Residuals of the balances of power, virial and momentum; absent without a density
   transform::BalanceResiduals balances = {};
-  /// Impacts per unit time, int_{v<0} |v| p(0, v) dv; infinite if the oscillator comes to rest in
-  /// contact after infinitely many impacts
+  /// Impacts per unit time, int_{v<0} |v| p(0, v) dv for the density p; infinite if the oscillator
+  /// comes to rest in contact after infinitely many impacts
   double impact_rate = 0;
 };
 
-/// Returns the metrics in the order of summary.json, without the errors in
+/// Returns the metrics of the solver in the order of summary.json, without
 /// transform::ErrorEstimate.
 transform::Metrics solver_metrics(const FiniteVolumeSummary& summary);
 

@@ -34,7 +34,7 @@ using transform::Status;
 
 constexpr double kCellsPerDeviation = 5;
 
-// Returns a computational box for the initial density, the stationary density and all states that
+// Returns a computational box with the initial density, the stationary density and all states that
 // the initial energy can reach, extended by the motion under the force F(t).
 PhasePlaneBox transient_box(const problem::Problem& problem, const problem::MotionScales& scales,
                             const FiniteVolumeOptions& options,
@@ -54,7 +54,7 @@ PhasePlaneBox transient_box(const problem::Problem& problem, const problem::Moti
 }
 
 // Returns the options with cells refined for the initial density. A narrow initial density requires
-// narrow cells in y and in y', since the flow rotates the density in the phase plane.
+// narrow cells in both y and y', since the flow rotates the density in the phase plane.
 FiniteVolumeOptions refine_for_initial_density(FiniteVolumeOptions options,
                                                const DensityLengthScales& of_stationary,
                                                const problem::InitialGaussian& start) {
@@ -81,7 +81,7 @@ DensitySnapshot make_snapshot(const problem::Problem& problem,
   DensitySnapshot s{.time = time,
                     .moments = physical_moments(frame, grid, averages, transport_order(options)),
                     .yv = physical_mixed_moment(frame, grid, averages, transport_order(options))};
-  // The potential U(y) of the spring is 0 at y = 0, whatever the origin of the wall coordinates.
+  // The potential U(y) of the spring is 0 at y = 0, for every origin of the wall coordinates.
   s.energy = mean_energy(spring_potential, grid, averages, transport_order(options)) -
              spring_potential(frame.wall_coordinate(0));
   const double energy_rate = mean_energy(spring_potential, grid, change, transport_order(options));
@@ -138,8 +138,9 @@ void check_snapshot(const problem::WallFrame& frame, const PhasePlaneGrid& grid,
 }
 
 // Returns a discretisation that resolves the initial and the stationary density, with at most
-// `max_cells` cells. A density in narrow wells, or at rest under rare impulses, is narrower than
-// the cells; kTransientResolutionLimits detects the insufficient resolution.
+// `max_cells` cells. A stationary density in narrow potential wells, or concentrated at rest under
+// rare impulses, may be narrower than the cells; kTransientResolutionLimits detects the
+// insufficient resolution.
 PlaneDiscretisation discretise_within_limit(const problem::Problem& problem,
                                             const PhasePlaneBox& box, double max_cells,
                                             FiniteVolumeOptions& options) {
@@ -149,7 +150,7 @@ PlaneDiscretisation discretise_within_limit(const problem::Problem& problem,
   return discretise_density_equation(problem, options, box);
 }
 
-// Returns the cell averages of a given density on another grid.
+// Returns the cell averages of a given density on the cells of another grid.
 Eigen::VectorXd remap_to_grid(const CellAveragedDensity& density, const PhasePlaneGrid& grid) {
   const transform::ConservativeRemap along_x1(density.x1_faces, grid.x1.faces()),
       along_x2(density.x2_faces, grid.x2.faces());
@@ -199,11 +200,11 @@ class DensityTimeIntegration {
     });
   }
 
-  // Finds the periodic state, and stores the periodic state and the snapshots of a period.
+  // Finds the periodic state, and stores the periodic state and the snapshots of one period.
   // @param guess cell averages with which the search starts
   void store_periodic_state(const Eigen::VectorXd& guess, TransientResult& result) {
-    // Largest accepted L1 distance to the periodic state. The change per period is the part of the
-    // distance by which the slowest mode decays in a period.
+    // Largest accepted L1 distance to the periodic state. The change of the density over a period
+    // is only the part of this L1 distance by which the slowest mode decays in a period.
     constexpr double kDistance = 1e-4;
     const double tolerance =
         kDistance * problem::decayed_fraction(problem::motion_scales(problem_), transient_.until);
@@ -244,10 +245,10 @@ class DensityTimeIntegration {
     // Tolerance of GMRES as a fraction of the local error; the residual of GMRES causes a loss of
     // mass.
     constexpr double kLinearTolerance = 1e-3;
-    // The matrix of the preconditioner is constant, so that CVODE factors again only for a new step
-    // coefficient gamma.
+    // The matrix of the preconditioner is constant, so that a new factorisation is necessary only
+    // for a new step coefficient gamma of CVODE.
     constexpr long kStepsPerFactorisation = 10000;
-    // Longest step under an excitation that changes in time, as a fraction of the end time. A
+    // Longest time step under an excitation that changes in time, as a fraction of the end time. A
     // longer time step could pass over a short pulse of the excitation, whatever the tolerance of
     // the local error.
     constexpr double kLongestStep = 0.02;
@@ -267,8 +268,8 @@ class DensityTimeIntegration {
                         .steps_per_factorisation = kStepsPerFactorisation}};
   }
 
-  // Integrates over the times of the snapshots, and calls on_snapshot(time, averages) at each time.
-  // If the integration does not reach the end time, the status of the result is set.
+  // Integrates the density over time, and calls on_snapshot(time, averages) at each output time. If
+  // the integration does not reach the end time, the function sets the status of the result.
   // @param on_snapshot returns whether the integration continues
   template <class OnSnapshot>
   void integrate_over_snapshots(const Eigen::VectorXd& start, TransientResult& result,

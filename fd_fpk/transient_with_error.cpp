@@ -17,13 +17,12 @@ namespace {
 
 using transform::TransientRequest;
 
-// Ratio of the refinements of the coarse and the fine grid, and of the tolerances of the time
-// steps.
+// Ratios of coarse to fine solution: grid refinements and tolerances of the time steps.
 constexpr double kCoarsening = 0.7, kToleranceRatio = 10;
 
 // Tolerance of the time steps for a periodic state, whose search integrates over many periods. In
-// case 1 under the force 0.3 cos(1.2 t) the estimated error is 3.5e-3, instead of 1.8e-3 with the
-// tolerance 1e-6; the tolerance 1e-6 requires about 1.5 times as many steps.
+// case 1 under the force 0.3 cos(1.2 t) the estimated error is 3.5e-3 with the tolerance 3e-6, and
+// 1.8e-3 with the tolerance 1e-6, which requires about 1.5 times as many time steps.
 constexpr double kPeriodicTolerance = 3e-6;
 
 transform::Marginal averages_over_bins(const std::vector<double>& cell_edges,
@@ -120,7 +119,7 @@ transform::TransientDensities solve_transient_with_error(const problem::Problem&
   transform::estimate_errors_by_differences(
       make_transient_snapshots(coarse, request),
       std::numbers::pi / problem::motion_scales(transformed).frequency, transient.snapshots);
-  // Both grids have nearly the same distance to the periodic state.
+  // The coarse and the fine grid have nearly the same distance to the periodic state.
   for (transform::TransientDensitySnapshot& s : transient.snapshots) {
     if (!s.error) continue;
     s.error->y_l1 += fine.distance_to_periodic_state;
