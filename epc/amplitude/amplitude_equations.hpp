@@ -15,9 +15,9 @@
 #include "problem/problem.hpp"
 #include "transform/joint_density.hpp"
 
-/// Quadrature points, equations, density and contours of the formulations with the amplitude as
-/// coordinate s. The template parameter `Coordinates` is polar::AmplitudePhaseCoordinates or
-/// contact::AmplitudeVelocityCoordinates, with these functions:
+/// Quadrature points, moment equations, density and contours of the formulations whose first
+/// coordinate s is the amplitude. The template parameter `Coordinates` is
+/// polar::AmplitudePhaseCoordinates or contact::AmplitudeVelocityCoordinates, with these functions:
 ///  - sqrt_twice_potential(y), the speed w(y); displacement(w), its inverse function;
 ///    displacement_slope(y), the derivative dy/dw;
 ///  - second_exponent_coordinate(rho, theta), the coordinate t; phase(rho, t), its inverse function;
@@ -30,8 +30,8 @@
 ///  - phases_for_leading_form_sign(), the phases at which the sign of the leading form may differ.
 namespace fpkcheck::epc::amplitude {
 
-/// Derivatives of the two coordinates s and t of a closure with respect to time, or with respect to
-/// the velocity v.
+/// Derivatives of the two coordinates s and t of a closure (amplitude, and phase or velocity) in
+/// time, or in the velocity v.
 struct CoordinateTimeDerivatives {
   double s, t;
 };
@@ -44,9 +44,9 @@ ExponentInPolarCoordinates polar_exponent(const ExponentPolynomial& q) {
   };
 }
 
-/// Returns Gauss-Legendre points in the amplitude rho and the phase theta, v = rho sin(theta). The
-/// quadrature weights include the prefactor of the density. If the stationary law has an atom of
-/// mass at rest, the last quadrature point is the atom.
+/// Returns Gauss-Legendre points in amplitude rho and phase theta, where v = rho sin(theta). The
+/// quadrature weights include the factor by which the density differs from C exp(Q_n). If the
+/// stationary law has an atom at rest, the last quadrature point is the atom.
 /// @param breaks increasing amplitudes between 0 and rho_max at which a panel in rho ends
 /// @param size numbers of points: s in rho, with additional points near the breaks, and t in theta
 template <class Coordinates>
@@ -68,7 +68,8 @@ half_plane::QuadraturePoints quadrature_points(const Coordinates& coordinates, d
       points.y[k] = coordinates.displacement(at * std::cos(theta.points[j]));
       points.v[k] = at * std::sin(theta.points[j]);
       points.energy[k] = energy_of_amplitude(at);
-      // The area element is dy dv = (dy/dw) dw dv = (dy/dw) rho drho dtheta.
+      // The area element in amplitude rho and phase theta is dy dv = (dy/dw) dw dv = (dy/dw) rho
+      // drho dtheta, with w = rho cos(theta).
       points.weight[k] = rho.weights[i] * theta.weights[j] * at *
                          coordinates.displacement_slope(points.y[k]) *
                          Coordinates::density_prefactor(at);
@@ -78,11 +79,12 @@ half_plane::QuadraturePoints quadrature_points(const Coordinates& coordinates, d
   return points;
 }
 
-/// Returns the contour of constant amplitude rho, as points of different phases. The areas of the
-/// contour points include the prefactor of the density.
+/// Returns the contour of constant amplitude rho, as points at different phases. The areas of the
+/// contour points include the factor by which the density differs from C exp(Q_n).
 template <class Coordinates>
 half_plane::DensityContour constant_amplitude_contour(const Coordinates& coordinates, double rho) {
-  // The area A inside the contour of the energy h has dA/dh = integral of (dy/dw) dtheta.
+  // The area A(h) inside the contour of the energy h has the derivative dA/dh = integral of (dy/dw)
+  // dtheta, with w = rho cos(theta).
   half_plane::DensityContour contour;
   for (int k = 0; k < kPhaseCount; ++k) {
     const double theta = equidistant_phases()[k];
@@ -97,8 +99,8 @@ half_plane::DensityContour constant_amplitude_contour(const Coordinates& coordin
   return contour;
 }
 
-/// Returns the density with the exponent q + confinement as a function of y and v.
-/// @param support energy beyond which the density is 0
+/// Returns the density with the exponent q + confinement term as a function of y and v.
+/// @param support energy above which the density is 0
 template <class Coordinates>
 transform::SmoothDensity density_from_exponent(
     const ExponentPolynomial& q, const Coordinates& coordinates, double support,
@@ -117,8 +119,8 @@ transform::SmoothDensity density_from_exponent(
 }
 
 /// Determines the behaviour of the exponent Q_n at infinity by condition (19) of the paper, along
-/// Coordinates::phases_for_leading_form_sign(). The radii in the result are amplitudes rho in units
-/// of sigma_2, the standard deviation of the velocity.
+/// the phases of Coordinates::phases_for_leading_form_sign(). The radii in the result are
+/// amplitudes in units of sigma_2, the standard deviation of the velocity.
 template <class Coordinates>
 ExponentBehaviourAtInfinity leading_form_of_amplitude_exponent(const ExponentPolynomial& q,
                                                                const StandardDeviations& sigma) {
@@ -129,15 +131,16 @@ ExponentBehaviourAtInfinity leading_form_of_amplitude_exponent(const ExponentPol
 }
 
 /// Returns the Galerkin equations of the impact process for the functions h_p(rho) g_q(t), 1 <= p +
-/// q <= n. Flow and impulses give the rate of change of the mean of a basis function phi,
+/// q <= n, of the amplitude rho and a second coordinate t. The motion between impulses and the
+/// impulses Y of arrival rate lambda change the mean of a basis function phi at the rate
 ///
 ///     L*phi = rho' phi_rho + t' phi_t + lambda ( E[phi(y, v + Y)] - phi ).
 ///
-/// If the mass rests in contact with the wall, each impulse towards the wall causes an immediate
-/// impact. In polar::AmplitudePhaseCoordinates phi has a jump at the origin, but all terms of the
-/// equations are bounded there. Under white noise the Galerkin equations do not exist, since d^2
-/// theta/dv^2 is not integrable. If rho^2/2 is the energy, the root satisfies the balance of power
-/// exactly, since the basis contains rho^2/2.
+/// If the mass rests in contact with the wall, each impulse towards the wall causes an impact at
+/// once. In the coordinates amplitude and phase the basis functions phi have a jump at y = v = 0,
+/// but all terms of the moment equations are bounded. Under white noise the Galerkin equations in
+/// amplitude and phase do not exist, since d^2 theta/dv^2 is not integrable. If rho^2/2 is the
+/// energy, the closure satisfies the balance of power exactly, since the basis contains rho^2/2.
 /// @param points quadrature points up to the amplitude rho_max
 /// @param wall_points number of quadrature points on the wall
 template <class Coordinates>

@@ -30,8 +30,8 @@ double maximum_over_phase(const ExponentInPolarCoordinates& exponent, double rho
 ExponentDecayRange find_exponent_decay_range(const ExponentInPolarCoordinates& exponent,
                                              double depth, double last_amplitude) {
   constexpr int kSteps = 400;
-  // A minimum of the exponent that is less than kInside below the peak is a feature of the density,
-  // not the end of its decay.
+  // A minimum of the exponent less than kInside below the peak of the exponent is a feature of the
+  // density, not the end of its decay.
   constexpr double kInside = 5;
   double peak = maximum_over_phase(exponent, 0), before = peak;
   for (int i = 1; i <= kSteps; ++i) {

@@ -22,16 +22,16 @@ using half_plane::QuadratureRefinementCriterion;
 
 namespace {
 
-// Candidates for the confinement level: amplitudes at which the exponent Q_n lies kDepths below its
-// peak, in the order of the attempts.
+// Candidates for the confinement level of the density: amplitudes at which the exponent Q_n lies
+// kDepths below its peak, in the order of the attempts.
 constexpr std::array kDepths{24.0, 18.0, 32.0};
-// Further candidates for the confinement level: multiples of the amplitude at which the exponent
-// Q_n begins to rise, and multiples of the standard deviation of v.
+// Further candidates for the confinement level of the density: multiples of the amplitude at which
+// the exponent Q_n begins to rise, and multiples of the standard deviation of v.
 constexpr std::array kBeyondDecayExtent{1.2, 1.0};
 constexpr std::array kLevelDeviations{8.0, 6.5, 11.0};
 constexpr double kFarthestDeviations = 30;
-// Largest accepted density at the confinement level, relative to the peak density. If the density
-// at the confinement level were larger, the confinement would determine the density.
+// Largest accepted closure density at the confinement level, relative to the peak density. If the
+// density at the confinement level were larger, the confinement term would determine the density.
 constexpr double kLevelDensityLimit = 1e-4;
 
 double largest_scan_amplitude(double temperature) {
@@ -95,9 +95,9 @@ double ClosureFormulation::end_of_exponent_decay(const ExponentPolynomial& q,
       .extent;
 }
 
-// The least-squares fit of the exponent has weights proportional to a power of the density. A power
-// of the density below 1 gives more weight to points in the tail. With the power 1 the fit would
-// return the polynomial of the initial guess.
+// The least-squares fit of the exponent Q_n has weights proportional to a power of the density.
+// With a power of the density below 1, points in the tail have a larger weight in the fit. With the
+// power 1 of the density the fit would return the polynomial of the initial guess.
 VectorXd ClosureFormulation::weights_of_exponent_fit(const ClosureDensity& guess, double support,
                                                      const QuadraturePoints& points,
                                                      const VectorXd& exponent,

@@ -9,23 +9,23 @@
 
 namespace fpkcheck::epc::amplitude {
 
-/// Returns the exponent of the density at an intermediate closure order: Q_n up to the amplitude at
-/// which Q_n may rise, and the exponent of a Gaussian beyond this amplitude.
+/// Returns the exponent of the closure density at an intermediate closure order: The exponent is
+/// Q_n up to the amplitude at which Q_n may rise, and that of a Gaussian density above it.
 double exponent_with_gaussian_tail(const ExponentInPolarCoordinates& q,
                                    const half_plane::ClosureDensity& closure, double rho,
                                    double theta);
 
-/// Tolerance on the change of the exponent Q_n by additional quadrature points, in standard
-/// deviations. The tolerance 1e-3 on the exponent is below the error of closures of the default
-/// order.
+/// Largest accepted change of the exponent Q_n when quadrature points are added, in standard
+/// deviations under the density. The tolerance 1e-3 on the exponent Q_n is below the error of
+/// closures of the default order.
 inline constexpr double kQuadratureTolerance = 1e-3;
 
-/// Closure formulation whose coordinate s is the amplitude rho. The confinement level is the energy
-/// at which the exponent Q_n lies far below its peak, or else an energy beyond the amplitude at
-/// which Q_n begins to rise.
+/// Closure formulation in which the first coordinate s of the exponent is the amplitude rho. The
+/// confinement level of the closure density is the energy at which the exponent Q_n lies far below
+/// its peak, or else an energy beyond the amplitude at which Q_n begins to rise.
 class ClosureFormulation : public half_plane::ClosureFormulation {
  public:
-  /// @param temperature approximate E[v^2] of the initial Gaussian density
+  /// @param temperature approximate value of E[v^2] for the initial Gaussian density
   ClosureFormulation(double temperature, double relaxation_rate_unit, DensityTailTreatment tail)
       : temperature_(temperature), rate_unit_(relaxation_rate_unit), tail_(tail) {}
 
@@ -50,10 +50,10 @@ class ClosureFormulation : public half_plane::ClosureFormulation {
   double max_decay_ratio(half_plane::ClosureRootSearchStage stage) const override;
 
  protected:
-  /// Returns the exponent Q_n as a function of amplitude and phase. The returned function keeps a
-  /// reference to the polynomial q.
+  /// Returns the exponent Q_n as a function of amplitude and phase. The function of amplitude and
+  /// phase keeps a reference to the polynomial q.
   virtual ExponentInPolarCoordinates polar_exponent(const ExponentPolynomial& q) const = 0;
-  /// Returns the phase theta of the point with the coordinates s and t.
+  /// Returns the phase theta of the point with the amplitude s and the phase or velocity t.
   virtual double phase(double s, double t) const = 0;
 
  private:
@@ -61,11 +61,10 @@ class ClosureFormulation : public half_plane::ClosureFormulation {
   DensityTailTreatment tail_;
 };
 
-/// Returns the reason why a density is inadmissible if only the confinement term causes its decay.
-/// The reason is empty for an admissible density.
+/// Returns the reason why the closure density is inadmissible if only the confinement term causes
+/// its decay. The reason is empty for an admissible density.
 /// @param quantity name of the checked quantity, for the reason
-/// @param at_level largest value of the quantity at or beyond the confinement level, relative to
-///   its peak
+/// @param at_level largest value of the quantity at the confinement level, relative to its peak
 /// @param edge largest value of the quantity on the edge of the support, relative to its peak
 std::string inadmissible_reason(const char* quantity, double at_level, double edge);
 
@@ -105,7 +104,7 @@ class CoordinateFormulation final : public ClosureFormulation {
 
 /// Stores leading form, closed form and support of a root in a result that already contains the
 /// density, and sets the status.
-/// @param quantity name of the quantity whose decay is checked, for the reason
+/// @param quantity name of the decaying quantity, for the reason of the status
 template <class Coordinates>
 void assess_closure_root(const problem::Problem& problem, const Coordinates& coordinates,
                          const half_plane::ClosureRootSearchResult& root, DensityTailTreatment tail,

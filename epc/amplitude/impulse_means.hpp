@@ -15,18 +15,17 @@ struct VelocitiesAfterImpulse {
 };
 
 /// Quadrature rule for the mean E[f(v + Y)] of a function f after an impulse Y. The function f of
-/// the velocity is smooth on either side of velocity 0, and varies near velocity 0 over a given
-/// width, which is w(y) = sqrt(2 V(y)) for the coordinates amplitude and phase. Atoms of the law of
-/// Y are summed exactly. The density of the impulse law is integrated by Gauss-Legendre panels,
-/// which become narrower towards velocity 0.
+/// the velocity is smooth on either side of velocity 0, and varies near velocity 0 over the given
+/// width. The mean over the atoms of the impulse law is an exact sum. The mean over the density of
+/// the impulse law is computed on Gauss-Legendre panels, which become narrower towards velocity 0.
 class GradedImpulseQuadrature {
  public:
   explicit GradedImpulseQuadrature(const problem::ImpulseLaw& law);
 
-  /// Returns quadrature points and probabilities of the velocity after an impulse at the velocity
-  /// v. The returned reference is valid until the next call of the function.
-  /// @param width width over which f varies near velocity 0, or 0 if f is smooth up to velocity 0
-  ///   on either side
+  /// Returns quadrature points and probabilities of the velocity v + Y after an impulse Y at the
+  /// velocity v. The returned quadrature points are valid until the next call of the function.
+  /// @param width range of velocities near 0 in which the integrand f varies, or 0 if f is smooth
+  ///   on either side of velocity 0
   const VelocitiesAfterImpulse& operator()(double v, double width);
 
  private:
@@ -39,12 +38,12 @@ class GradedImpulseQuadrature {
   VelocitiesAfterImpulse after_;
 };
 
-/// Maps w = sqrt(2 V(y)) and a velocity v to the coordinates s and t of QuadraturePoints.
+/// Maps w = sqrt(2 V(y)), with potential V, and the velocity v to coordinates s and t of a closure.
 using CoordinatesOfPhasePoint = std::function<std::pair<double, double>(double w, double v)>;
 
-/// Returns the means E[phi(y, v + Y)] of all basis functions phi after an impulse Y, of shape
-/// (number of points, number of basis functions).
-/// @param w,v values of w = sqrt(2 V(y)) and v at the points
+/// Returns the means E[phi(y, v + Y)] of all basis functions phi after an impulse Y, in a matrix of
+/// shape (points, basis functions).
+/// @param w,v values of sqrt(2 V(y)) and of the velocity v at the points
 Eigen::MatrixXd means_after_impulse(const problem::ImpulseLaw& law,
                                     const half_plane::OrthonormalBasis& basis,
                                     const Eigen::VectorXd& w, const Eigen::VectorXd& v,
