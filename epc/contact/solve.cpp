@@ -39,8 +39,9 @@ double probability_at_rest(const AmplitudeVelocityCoordinates& coordinates,
          std::exp(closure.q(0, 0) - closure.log_normalisation);
 }
 
-// Returns the distance of a solution to the root of closure order n - 2: L1 distances on the cells,
-// plus the difference between the atoms in each of the two marginal distributions.
+// Returns the distance of a closure density from the closure density of order n - 2: The distance
+// is the sum of the L1 distances over the cells and of the difference between the atoms at rest in
+// each of the two marginal distributions.
 double distance_to_previous_order(const AmplitudeVelocityCoordinates& coordinates,
                                   const ClosureDensity& previous, DensityTailTreatment tail,
                                   const transform::Solution& solution) {

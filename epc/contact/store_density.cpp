@@ -14,8 +14,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using half_plane::QuadraturePoints;
 
-// Returns cell edges from 0 to `end`. The width of the first cell is `first` times `end`. The
-// widths of further cells grow in proportion to the distance from 0, up to a largest width.
+// Returns cell edges from 0 to `end`. The width of the first cell next to 0 is `first` times `end`.
+// The widths of the cells grow in proportion to their distance from 0, up to a largest width.
 std::vector<double> edges_graded_to_zero(double end, double first, double growth) {
   constexpr int kEven = 120;
   std::vector<double> edges{0};
@@ -34,8 +34,8 @@ std::vector<double> join_with_mirror_image(const std::vector<double>& edges) {
   return all;
 }
 
-// Discrete approximation of the stationary law: points with probabilities, the last point being the
-// atom.
+// Discrete approximation of the stationary probability law: points with probabilities, the last
+// point being the atom at rest.
 struct DiscreteAmplitudeLaw {
   QuadraturePoints points;
   VectorXd mass;
@@ -82,7 +82,7 @@ transform::Moments moments_of_law(const problem::WallFrame& frame,
           .v4 = mean(0, 4)};
 }
 
-// Returns the partial moment E[|Y|^power; Y < 0] of the impulses towards the wall.
+// Returns the contribution of the impulses Y < 0 (towards the wall) to the moment E[|Y|^power].
 double partial_moment_towards_wall(const problem::ImpulseLaw& law, int power) {
   const auto after = amplitude::GradedImpulseQuadrature(law)(0, 0);
   double sum = 0;
@@ -92,8 +92,8 @@ double partial_moment_towards_wall(const problem::ImpulseLaw& law, int power) {
   return sum;
 }
 
-// Returns int u^power p(0, -u) du over the impact speeds u. This density p(y, v) does not contain
-// the mass at rest on the wall.
+// Returns the moment int u^power p(0, -u) du of impact speeds u of the density p at the wall y = 0.
+// The density p(y, v) at the wall excludes rest in contact with the wall.
 double moment_of_wall_flux(const transform::SmoothDensity& density, int points, int power) {
   const auto wall = numerics::gauss_legendre_rule(points, 0, density.v_max);
   double sum = 0;
@@ -133,8 +133,8 @@ transform::BalanceResiduals balance_residuals_of_law(const problem::Problem& pro
 
 transform::GridDensity average_on_graded_cells(const transform::SmoothDensity& density) {
   // Near the corner y = v = 0 of the half-plane, displacements y are of the order of v^2. The first
-  // cell in y therefore has the relative width kFirst^2, and the first cell in v the relative width
-  // kFirst. These cells contain a probability of the order of kFirst.
+  // cell in y therefore has the width kFirst^2, and the first cell in v the width kFirst, relative
+  // to the ranges of y and v. The first cells contain a probability of the order of kFirst.
   constexpr double kFirst = 1e-6, kGrowth = 1.3;
   return transform::average_over_cells(
       density, edges_graded_to_zero(density.y_max, kFirst * kFirst, kGrowth * kGrowth),

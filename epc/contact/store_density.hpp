@@ -7,11 +7,12 @@
 
 namespace fpkcheck::epc::contact {
 
-/// Returns averages of the density over cells that become narrower towards the corner y = v = 0.
-/// Equal cells would not resolve the singularities p(y) ~ y^(-1/2) and p(y') ~ -ln|y'|.
+/// Returns averages of the closure density over cells that become narrower towards the corner y = v
+/// = 0. Cells of equal width would not resolve the singularities p(y) ~ y^(-1/2) and p(y') ~
+/// -ln|y'| of the marginal densities.
 transform::GridDensity average_on_graded_cells(const transform::SmoothDensity& density);
 
-/// Stores in a result the averages of the density over graded cells, the atom, the total
+/// Stores in a result the averages of the density over graded cells, the atom at rest, the total
 /// probability, the moments, and the residuals of the balances of power, virial and momentum.
 void store_density_and_atom(const problem::Problem& problem,
                             const AmplitudeVelocityCoordinates& coordinates,
