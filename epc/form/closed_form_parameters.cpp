@@ -15,7 +15,7 @@ namespace {
 
 using transform::Metrics;
 
-// Largest power of a monomial in a file with a closed form, checked before memory is allocated.
+// Largest power of a monomial in a file with a closed form, verified before memory is allocated.
 // Monomials with powers above 40 are unusable in double precision.
 constexpr int kHighestPower = 40;
 

@@ -17,8 +17,8 @@ enum class ExponentCoordinates {
   plane,
   physical,  ///< coordinates y and v: p(y, v) = C exp Q(y, v)
   polar,  ///< amplitude and phase, polar::AmplitudePhaseCoordinates: p(y, v) = C exp Q(rho, theta)
-  /// Amplitude and velocity, contact::AmplitudeVelocityCoordinates: p(y, v) = C exp Q(rho, v) /
-  /// (rho^2/2), with an atom at y = v = 0
+  /// Amplitude and velocity of contact::AmplitudeVelocityCoordinates: the density is p(y, v) = C
+  /// exp Q(rho, v) / (rho^2/2), with an atom at y = v = 0
   contact
 };
 inline constexpr base::EnumEntry<ExponentCoordinates> kExponentCoordinatesNames[] = {
@@ -29,35 +29,34 @@ inline constexpr base::EnumEntry<ExponentCoordinates> kExponentCoordinatesNames[
 constexpr const auto& enumerator_names(ExponentCoordinates) { return kExponentCoordinatesNames; }
 constexpr std::string_view name(ExponentCoordinates variables) { return base::name_of(variables); }
 
-/// Bounding box of a density in the (y, v) plane; outside this box the density is 0.
+/// Bounding box in the (y, v) plane outside of which a density is 0.
 struct DensityBoundingBox {
   double y_max, v_max;
   double y_min = 0;
 };
 
-/// Parameters of a density C exp(Q_n + confinement), without the coefficients of the polynomial
-/// Q_n.
+/// Parameters of a closure density C exp(Q_n + confinement term), without the coefficients of Q_n.
 struct ClosedFormDensityParameters {
   ExponentCoordinates variables = ExponentCoordinates::plane;
-  /// Origin and direction of the coordinates of the polynomial Q_n on the physical axes
-  /// (problem/walls.hpp).
+  /// Origin and direction on the physical axes of the variables of Q_n (problem/walls.hpp).
   problem::WallFrame coordinates = {};
-  /// Logarithm of the constant factor C of a closure density; empty for a density that is not
-  /// normalised.
+  /// Logarithm of the constant factor C of a closure density; empty without normalisation.
   std::optional<double> log_constant = {};
-  /// Standard deviations that scale the support gaussian::DensitySupport; empty for other supports.
+  /// Standard deviations that scale the support of the density (gaussian::DensitySupport); empty
+  /// for other supports.
   std::optional<StandardDeviations> deviations = {};
-  /// Energy above which the closure density is 0; unused for the coordinates `plane`.
+  /// Energy above which the closure density is 0; unused on the (z, z') plane.
   double support = std::numeric_limits<double>::infinity();
-  /// Level of half_plane::Confinement, infinite without confinement; unused for the coordinates
-  /// `plane`.
+  /// Confinement level (an energy) of half_plane::ExponentConfinementTerm, infinite without
+  /// confinement; unused if Q_n is a polynomial on the (z, z') plane.
   double level = std::numeric_limits<double>::infinity();
-  /// Bounding box of the closure density; used if `deviations` is empty and `support` is infinite.
+  /// Bounding box outside of which the closure density is 0; used if `deviations` is empty and
+  /// `support` is infinite.
   std::optional<DensityBoundingBox> box = {};
 };
 
-/// Closed form of a closure density, as stored in files. The evaluation of a closed form in some
-/// coordinates also needs the problem.
+/// Formula of a closure density with all its parameters, as stored in files. For polynomials of
+/// amplitude and phase or velocity, the density of a closed form also depends on the oscillator.
 struct ClosedFormDensity {
   ExponentPolynomial q;
   ClosedFormDensityParameters frame;
@@ -66,8 +65,8 @@ struct ClosedFormDensity {
 /// Returns whether the metrics of a solution or of a user's file contain a closed form.
 bool has_closed_form(const transform::Metrics& metrics);
 
-/// Reads a closed form from metrics. The keys are `coordinates`, `coefficients[k].{x1,x2,a}`,
-/// `log_C` or `C`, and
+/// Reads a closed form from metrics. The keys of a closed form are `coordinates`,
+/// `coefficients[k].{x1,x2,a}`, `log_C` or `C`, and
 ///  - for the support: `support.{sigma1,sigma2}`, `support.energy` with `tail.{kind,level}`, or
 ///    `support.{y_max,v_max}`, with `support.y_min` if y_min is not 0;
 ///  - `frame.{origin,mirrored}` if the coordinates are not the physical coordinates.

@@ -9,7 +9,8 @@
 namespace fpkcheck::epc {
 namespace {
 
-// Returns int_{v>0} v^power p(b, v) dv at the right wall y = b, or 0 without a right wall.
+// Returns the moment int_{v>0} v^power p(b, v) dv of the density p at the right wall y = b, or 0
+// without a right wall.
 double right_wall_flux_moment(const problem::Problem& problem,
                               const transform::SmoothDensity& density, int power) {
   if (!problem.system.right_wall()) return 0;
@@ -19,8 +20,8 @@ double right_wall_flux_moment(const problem::Problem& problem,
   return numerics::integrate_by_composite_gauss(integrand, 0.0, density.v_max, kPanels);
 }
 
-// Returns int_{u>0} u weight(u) p(a, towards u) du at a wall y = a: the sum of a quantity of the
-// impact speed u over the impacts per unit time.
+// Returns int_{u>0} u weight(u) p(a, towards u) du at a wall y = a: the sum of `weight` as a
+// function of the impact speed u over the impacts per unit time.
 double impact_sum_per_time(const transform::SmoothDensity& density, double position, double towards,
                            const std::function<double(double)>& weight) {
   constexpr int kPanels = 8;
@@ -31,7 +32,7 @@ double impact_sum_per_time(const transform::SmoothDensity& density, double posit
 }
 
 // Energy that impacts on each wall dissipate per unit time, and momentum that each wall transfers
-// to the mass per unit time.
+// to the moving mass per unit time.
 struct WallEnergyAndMomentumTransfer {
   double left_loss, right_loss, left_momentum, right_momentum;
 };
@@ -123,8 +124,8 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   }
   transform::BalanceResiduals residuals{
       .virial = problem::virial_balance(problem, virial).relative_balance_residual()};
-  // Smallest scale of the momentum balance. Without impacts the left and the right side of this
-  // balance may be 0, and the residual would be a rounding error.
+  // Smallest scale of the momentum balance. Without impacts both sides of the momentum balance may
+  // be 0, and the relative residual would be a rounding error.
   constexpr double kRounding = 1e-9;
   const double force_unit = marginals.moments.v2 / std::sqrt(marginals.moments.y2);
   const problem::BalanceEquation balance = problem::momentum_balance(problem, momentum);

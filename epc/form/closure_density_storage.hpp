@@ -7,10 +7,10 @@
 
 namespace fpkcheck::epc {
 
-/// Stores a density in a result, with its mass, its moments and the residuals of the balances of
-/// power, virial and momentum. The moments are in physical coordinates in the solution, and in the
-/// coordinates of the problem's frame in the summary.
-/// @param impact impact condition of the equation, which defines the power lost in impacts
+/// Stores a closure density in a result, with its integral, its moments and the residuals of the
+/// balances of power, virial and momentum. The solution stores the moments in physical coordinates,
+/// the summary in the coordinates of the problem.
+/// @param impact impact condition, which defines the power lost in impacts
 /// @return marginal densities
 transform::QuadratureMarginals store_density(
     const problem::Problem& problem, problem::ImpactCondition impact,
@@ -18,7 +18,7 @@ transform::QuadratureMarginals store_density(
     transform::QuadraturePanelSpacing panels = transform::QuadraturePanelSpacing::uniform);
 
 /// Returns the moments of the physical coordinates y = origin + sign x and y' = sign x' from the
-/// marginals of x and x'.
+/// marginal densities of x and x'.
 transform::Moments physical_moments(const problem::WallFrame& frame,
                                     const transform::QuadratureMarginals& marginals);
 

@@ -86,8 +86,8 @@ PolynomialAlongRay polynomial_along_ray(const ExponentPolynomial& q,
 
 namespace {
 
-// Removes polynomial terms without a reliable sign, which are rounding errors. In the scaled plane,
-// terms without a reliable sign are smaller than kRounding times the largest term.
+// Removes terms of a polynomial whose sign is unreliable, since they are rounding errors. In the
+// scaled plane, terms with an unreliable sign are smaller than kRounding times the largest term.
 ExponentPolynomial remove_terms_of_rounding(const ExponentPolynomial& q,
                                             const StandardDeviations& sigma) {
   constexpr double kRounding = 1e-10;
@@ -102,8 +102,8 @@ ExponentPolynomial remove_terms_of_rounding(const ExponentPolynomial& q,
   return ExponentPolynomial(std::move(terms));
 }
 
-// Returns the radius, in units of sigma, from which a polynomial of the radius rises: the largest
-// radius below `end` at which the slope of the polynomial changes sign.
+// Returns the radius, in standard deviations, from which a polynomial of the radius rises: the
+// largest radius below `end` at which the slope of the polynomial changes sign.
 double last_radius_of_rise(const PolynomialAlongRay& ray, double sigma, double end, double step) {
   const PolynomialAlongRay slope = derivative_coefficients(ray);
   double radius = end;

@@ -13,7 +13,7 @@ struct ExponentMonomial {
   double a;
 };
 
-/// Polynomial Q_n(x1, x2) of paper (18), without a constant term.
+/// Polynomial Q_n(x1, x2) of equation (18) of the paper, without a constant term.
 class ExponentPolynomial {
  public:
   explicit ExponentPolynomial(std::vector<ExponentMonomial> terms);
@@ -23,14 +23,14 @@ class ExponentPolynomial {
 
   double operator()(double x1, double x2) const;
 
-  /// Returns the coefficients of the polynomial rho -> Q_n(rho e1, rho e2), lowest power first.
+  /// Returns the coefficients, lowest power first, of the polynomial rho -> Q_n(rho e1, rho e2)
+  /// along the ray in the direction (e1, e2).
   std::vector<double> coefficients_along_ray(double e1, double e2) const;
 
  private:
   std::vector<ExponentMonomial> terms_;
   int degree_;
-  // Coefficients of the monomials x1^p x2^q: one row for each p = degree .. 0, with q = degree - p
-  // .. 0
+  // Coefficients of monomials x1^p x2^q: one row for each p = degree .. 0, q = degree - p .. 0
   std::vector<double> triangle_;
 };
 
@@ -44,7 +44,7 @@ inline double evaluate_polynomial(const std::vector<double>& coefficients, doubl
 /// Returns the coefficients of the derivative of a polynomial, lowest power first.
 std::vector<double> derivative_coefficients(const std::vector<double>& coefficients);
 
-/// Standard deviations of x1 and x2, the units of the scaled plane.
+/// Standard deviations of x1 and x2, by which the (x1, x2) plane is scaled.
 struct StandardDeviations {
   double x1;
   double x2;
@@ -56,41 +56,39 @@ struct PhasePlaneDirection {
   double x2;
 };
 
-/// Coefficients of the polynomial rho -> Q_n along a direction of the scaled plane, lowest power
-/// first. The last coefficient is not 0.
+/// Coefficients, lowest power first, of the polynomial rho -> Q_n of the radius rho in a direction
+/// of the scaled plane (x1/sigma_1, x2/sigma_2). The last coefficient is not 0.
 using PolynomialAlongRay = std::vector<double>;
 
-/// Step and largest radius of the scans of a polynomial along rays from the origin, in standard
-/// deviations.
+/// Step and largest radius of scans of the exponent Q_n along rays, in standard deviations.
 inline constexpr double kRayScanStep = 0.1;
 inline constexpr double kLargestRayRadius = 15;
 
-/// Returns directions at equal angles over the whole circle, without rounding errors along the
-/// axes.
+/// Returns directions at equal angles over the whole circle; directions along the axes are exact.
 const std::vector<PhasePlaneDirection>& equiangular_directions();
 
-/// Returns the number of leading entries of equiangular_directions() along which the values of the
-/// exponent Q_n are distinct: half of all directions if all degrees of the polynomial Q_n are even.
+/// Returns how many of the first entries of equiangular_directions() have distinct values of the
+/// exponent Q_n: half of all directions if all degrees in Q_n are even.
 std::size_t distinct_direction_count(const ExponentPolynomial& q);
 
-/// Returns the polynomial of the scaled radius to which Q_n reduces along a direction.
+/// Returns the polynomial in the scaled radius that equals the exponent Q_n along one direction.
 PolynomialAlongRay polynomial_along_ray(const ExponentPolynomial& q,
                                         const StandardDeviations& sigma,
                                         const PhasePlaneDirection& direction);
 
 /// Behaviour of the exponent Q_n at infinity by condition (19) of the paper: sign of the
-/// coefficient of the highest significant power of the polynomial Q_n along each direction.
+/// coefficient of the highest significant power of Q_n along each direction.
 struct ExponentBehaviourAtInfinity {
   bool negative;
   PhasePlaneDirection worst;  ///< direction with the largest leading coefficient
-  /// Scaled radius, at most 60, beyond which the exponent Q_n rises in the worst direction
+  /// Radius in standard deviations, at most 60, beyond which the exponent Q_n rises in the
+  /// direction of its steepest rise
   double rises_from = 0;
   /// Fraction of all directions of the plane in which the exponent Q_n rises at infinity
   double rising_fraction = 0;
 };
 
-/// Directions in which the exponent Q_n is examined: the whole plane, or the half-plane cos theta
-/// >= 0.
+/// Directions in which Q_n is examined: the whole plane, or the half-plane cos theta >= 0.
 enum class PhasePlaneDirectionRange { whole, half };
 
 /// Determines the behaviour of the exponent Q_n at infinity along equiangular_directions().
@@ -98,15 +96,13 @@ ExponentBehaviourAtInfinity leading_form(
     const ExponentPolynomial& q, const StandardDeviations& sigma,
     PhasePlaneDirectionRange plane = PhasePlaneDirectionRange::whole);
 
-/// Determines the behaviour of the exponent Q_n at infinity along given directions of the unscaled
-/// plane.
+/// Determines the behaviour of Q_n at infinity along directions of the plane without scaling.
 /// @param sigma unit of the radius in the result
 /// @pre there is at least one direction
 ExponentBehaviourAtInfinity leading_form_along_directions(
     const ExponentPolynomial& q, const std::vector<PhasePlaneDirection>& directions, double sigma);
 
-/// Returns a clause of a sentence on the behaviour of the exponent Q_n at infinity, such as
-/// "although Q_n falls at infinity".
+/// Returns a clause on the behaviour of Q_n at infinity, such as "although Q_n falls at infinity".
 /// @param plane name of the coordinates of the scaled plane, e.g. "(y, v) / deviations"
 std::string describe_exponent_at_infinity(const ExponentBehaviourAtInfinity& form,
                                           const std::string& plane);
