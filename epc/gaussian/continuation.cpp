@@ -19,16 +19,16 @@ using numerics::SolutionCurvePoint;
 constexpr int kMaxPoints = 120;
 constexpr int kPolishing = 30;  // largest number of Newton steps at the end of a curve
 
-// Returns the absolute moment E|x|^m of x ~ N(0, sigma^2).
+// Returns the absolute moment E[|x|^m] of a Gaussian variable x ~ N(0, sigma^2).
 double absolute_moment(double m, double sigma) {
   return std::pow(std::numbers::sqrt2 * sigma, m) * std::tgamma((m + 1) / 2) *
          std::numbers::inv_sqrtpi;
 }
 
 // Returns the exponent -(c/D2) (x2^2/2 + U(|x1|)) of the exact density under white noise with
-// elastic impacts. For an even power a y^m of the restoring force, the potential U(|x1|) is not a
-// polynomial. A linear force replaces the even power, with the mean slope E[a m |x1|^(m-1)] of this
-// power.
+// elastic impacts, with the damping c and the potential U. For an even power a y^m of the restoring
+// force, the potential U(|x1|) as a function of x1 is not a polynomial. A linear force replaces
+// each even power a y^m, with the mean slope E[a m |x1|^(m-1)] of this power.
 std::vector<ExponentMonomial> elastic_white_noise_exponent(const DensityEquationCoefficients& f,
                                                            const StandardDeviations& sigma) {
   const double beta = f.damping / (f.rate_times_moment[2] / 2);
@@ -43,9 +43,9 @@ std::vector<ExponentMonomial> elastic_white_noise_exponent(const DensityEquation
   return terms;
 }
 
-// Returns the homotopy of the branch: the residual R with homotopy_coefficients(), in units of
-// unit_of_projected_residual(). The homotopy residual is linear in the fraction of the full
-// problem.
+// Returns the homotopy of the solution branch: the residual R with homotopy_coefficients(), in
+// units of unit_of_projected_residual(). The residual of the homotopy is linear in the fraction of
+// the full problem.
 Homotopy solution_branch_homotopy(const ProjectedEquations& projection,
                                   const DensityEquationCoefficients& full, double unit) {
   return {

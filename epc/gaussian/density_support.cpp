@@ -12,9 +12,9 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// Radius of the disc in which the peak of the exponent Q_n is searched, in standard deviations. If
-// the exponent Q_n outside the disc exceeds the peak in the disc, condition (19) of the paper is
-// violated.
+// Radius of the disc in which the peak of the exponent Q_n is searched, in standard deviations of
+// the Gaussian weights. If the exponent Q_n outside the disc exceeds its peak in the disc,
+// condition (19) of the paper is violated.
 constexpr double kCoreRadius = 2;
 constexpr int kRadialPanels = 6;
 
@@ -26,8 +26,8 @@ double minimum_between(const PolynomialAlongRay& slope, double low, double high)
   return (low + high) / 2;
 }
 
-// Returns the radius between `low` and `high` at which the exponent Q_n equals `level`, by Newton's
-// method with bracketing.
+// Returns the radius between `low` and `high` at which the exponent Q_n along a ray equals `level`,
+// by Newton's method with bracketing.
 double crossing_between(const PolynomialAlongRay& q, const PolynomialAlongRay& slope, double level,
                         double low, double high) {
   double at = (low + high) / 2;
@@ -129,7 +129,7 @@ void DensitySupport::compute_integrals(const std::vector<PolynomialAlongRay>& ra
       sigma_.x1 * sigma_.x2 * 2 * std::numbers::pi / static_cast<double>(rays.size());
   integral_ = sum * element;
   // The estimate of the probability outside the support uses int_R^inf exp(-(rho^2 - R^2)/2) rho
-  // drho = 1, with the radius R of the edge.
+  // drho = 1, with the radius R of the edge of the support.
   cut_off_ = edge_sum / sum;
 }
 

@@ -7,16 +7,15 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// Star-shaped set in the plane outside of which the density C exp(Q_n) is set to 0. Along each
-/// direction the set ends at the first of these radii:
+/// Star-shaped set in the (x1, x2) plane outside of which the closure density C exp(Q_n) is set to
+/// 0. Along each direction the set ends at the first of these radii:
 ///  - (a) the radius at which the density has fallen to kNegligible of its peak;
 ///  - (b) the radius of a minimum of the exponent Q_n at which the density is below
 ///    kMaxSupportEdgeDensity of its peak;
 ///  - (c) the radius at which the exponent Q_n is smallest before the exponent Q_n exceeds its peak
-///    again, up to kLargestRayRadius deviations of the weights (25)-(26).
-/// A shallow minimum of the exponent Q_n in the bulk of the density is therefore not an edge of the
-/// support. If condition (19) of the paper is violated, the support ends before the exponent Q_n
-/// rises.
+///    again, up to kLargestRayRadius deviations of the weights (25)-(26). A shallow minimum of the
+///    exponent Q_n at a high density is therefore not an edge of the support. If condition (19) of
+///    the paper is violated, the support of the density ends where Q_n begins to rise, or before.
 class DensitySupport {
  public:
   static constexpr double kNegligible = 1e-14;
@@ -34,9 +33,9 @@ class DensitySupport {
   /// Integral of exp(Q_n - largest_exponent_in_support()) over the support of the density.
   double integral_relative_to_peak() const { return integral_; }
   double support_edge_to_peak_density_ratio() const { return edge_ratio_; }
-  /// Estimated probability outside the set, relative to the probability inside: sigma_1 sigma_2
-  /// oint p(edge) dtheta. This estimate assumes that the density decays beyond the edge of the
-  /// support like the Gaussian weights (25)-(26) of the paper.
+  /// Estimated probability outside the support of the density, relative to the probability inside:
+  /// sigma_1 sigma_2 oint p(edge) dtheta. The estimated probability assumes that the density decays
+  /// beyond the edge of its support like the Gaussian weights (25)-(26) of the paper.
   double probability_outside_support() const { return cut_off_; }
 
  private:
@@ -50,10 +49,11 @@ class DensitySupport {
   double peak_ = 0, integral_ = 0, edge_ratio_ = 0, cut_off_ = 0;
 };
 
-/// Returns ln C of the constant C of paper (17), which normalises C exp(Q_n) on its support.
+/// Returns ln C of the constant C in paper (17), which normalises C exp(Q_n) on its support.
 double log_normalising_constant(const DensitySupport& support);
 
-/// Returns the density of (y, y') from the density C exp(Q_n) in the (z, z') plane, by paper (5).
+/// Returns the density of (y, y') from the density C exp(Q_n) in the (z, z') plane, by Zhuravlev's
+/// transformation (5) of the paper.
 transform::SmoothDensity density_from_exponent(const ExponentPolynomial& q,
                                                const DensitySupport& support, double log_constant);
 
@@ -61,7 +61,7 @@ transform::SmoothDensity density_from_exponent(const ExponentPolynomial& q,
 transform::SmoothDensity density_without_wall(const ExponentPolynomial& q,
                                               const DensitySupport& support, double log_constant);
 
-/// Returns the normalised density of a problem with or without a wall.
+/// Returns the normalised closure density of a problem with or without a wall.
 transform::SmoothDensity density_on_support(const ExponentPolynomial& q,
                                             const DensitySupport& support, bool has_wall);
 

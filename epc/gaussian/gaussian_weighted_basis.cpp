@@ -6,7 +6,7 @@
 namespace fpkcheck::epc::gaussian {
 namespace {
 
-// Returns the moment E[x^p] for x ~ N(0, sigma^2).
+// Returns the moment E[x^p] of a Gaussian variable x ~ N(0, sigma^2).
 double gaussian_moment(int p, double sigma) {
   if (p % 2 != 0) return 0;
   const double factor =
@@ -14,10 +14,10 @@ double gaussian_moment(int p, double sigma) {
   return std::pow(sigma, p) * factor;
 }
 
-// Returns the norm sqrt(E[x^2p]) of the power x^p for x ~ N(0, sigma^2).
+// Returns the norm sqrt(E[x^2p]) of the power x^p for a Gaussian variable x ~ N(0, sigma^2).
 double norm_of_power(int p, double sigma) { return std::sqrt(gaussian_moment(2 * p, sigma)); }
 
-// Returns the j-th derivatives of powers: column p has the derivative of x^p at each point.
+// Returns the j-th derivatives of the powers of x at points: column p belongs to x^p.
 Eigen::MatrixXd power_derivatives(const Eigen::VectorXd& x, int degree, int j) {
   Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(x.size(), degree + 1);
   Eigen::VectorXd power = Eigen::VectorXd::Ones(x.size());

@@ -9,8 +9,9 @@
 
 namespace fpkcheck::epc::gaussian {
 
-/// Values and derivatives of the basis functions: point i in row i, basis function s in column s.
-/// The member d1 is the first derivative in x1, and d22 is the second derivative in x2.
+/// Values and derivatives of the basis functions at points: row i belongs to point i, column s to
+/// basis function s. The matrix d1 has the first derivatives of the basis functions in x1, the
+/// matrix d22 the second derivatives in x2.
 struct BasisFunctionDerivatives {
   Eigen::MatrixXd value, d1, d2, d22, d222, d2222;
 };
@@ -37,21 +38,22 @@ class GaussianWeightedBasis {
   BasisFunctionDerivatives basis_derivatives(const Eigen::VectorXd& x1,
                                              const Eigen::VectorXd& x2) const;
 
-  /// Returns the means <phi_s> of the basis functions under the Gaussian weights.
+  /// Returns the means <phi_s> of the basis functions phi_s under the Gaussian weights.
   Eigen::VectorXd basis_function_weighted_means() const;
-  /// Returns the matrix <phi_s phi_k> under the Gaussian weights, with ones on its diagonal.
+  /// Returns the matrix of the means <phi_s phi_k> of products of basis functions under the
+  /// Gaussian weights; the diagonal elements are 1.
   Eigen::MatrixXd weighted_gram_matrix() const;
 
-  /// Returns the exponent Q_n in unscaled monomials, from the coefficients of the polynomial Q_n in
-  /// the basis.
+  /// Returns the exponent Q_n as a sum of monomials x1^p x2^q, from the coefficients of Q_n in the
+  /// scaled basis functions.
   ExponentPolynomial exponent_polynomial(const Eigen::VectorXd& scaled_coefficients) const;
-  /// Returns the coefficients of a polynomial in the basis. Polynomial terms outside the basis are
-  /// ignored.
+  /// Returns the coefficients of a polynomial in the scaled basis functions. Terms of a polynomial
+  /// whose monomials are not in the basis of the closure are ignored.
   Eigen::VectorXd scaled_coefficients(const std::vector<ExponentMonomial>& terms) const;
 
  private:
-  /// Returns products of columns: column p of `of_x1` times column q of `of_x2`, divided by the
-  /// norm.
+  /// Returns the products of column p of `of_x1` and column q of `of_x2`, divided by the norm, for
+  /// every basis function x1^p x2^q / norm.
   Eigen::MatrixXd products_of_factor_columns(const Eigen::MatrixXd& of_x1,
                                              const Eigen::MatrixXd& of_x2) const;
 
@@ -61,19 +63,20 @@ class GaussianWeightedBasis {
   std::vector<BasisFunction> members_;
 };
 
-/// Points and weights of a quadrature rule in the (x1, x2) plane.
+/// Points and weights of a quadrature rule in the plane of the coordinates x1 and x2.
 struct PlaneQuadratureRule {
   std::vector<double> x1, x2, weights;
 
   void add_quadrature_point(double at_x1, double at_x2, double weight);
 };
 
-/// Returns a quadrature rule for integrands that are even under (x1, x2) -> (-x1, -x2). The
-/// returned rule has one point of each pair of opposite points, with the sum of the two weights.
+/// Returns a quadrature rule for functions that are even under (x1, x2) -> (-x1, -x2), with half of
+/// the points of the given rule. Of each pair of opposite points, the quadrature rule for even
+/// functions has one point with the sum of both weights.
 /// @pre up to rounding, the given rule is symmetric under (x1, x2) -> (-x1, -x2)
 PlaneQuadratureRule fold_point_symmetric_rule(const PlaneQuadratureRule& rule);
 
-/// Quadrature rule in the plane, with precomputed values of the basis functions at its points.
+/// Quadrature rule in the (x1, x2) plane, with values of the basis functions at its points.
 class GaussianProjectionNodes {
  public:
   GaussianProjectionNodes(const PlaneQuadratureRule& rule, const GaussianWeightedBasis& basis);
@@ -83,16 +86,16 @@ class GaussianProjectionNodes {
   double x2(Eigen::Index i) const { return x2_[i]; }
   const BasisFunctionDerivatives& basis() const { return basis_; }
 
-  /// Returns the derivatives of the exponent Q_n at each point.
+  /// Returns the derivatives of the exponent Q_n at each quadrature point.
   std::vector<ExponentPartialDerivatives> exponent_derivatives(
       const Eigen::VectorXd& scaled_coefficients) const;
 
-  /// Projects a function on the basis functions phi_s, by its values at the points. Row s of the
-  /// projection is sum_i w_i values_i phi_s(x_i), over the quadrature points x_i with weights w_i.
+  /// Projects a function on the basis functions phi_s, by the values of the function at the
+  /// quadrature points. Row s of the projection of a function is sum_i w_i values_i phi_s(x_i),
+  /// over the quadrature points x_i with weights w_i.
   Eigen::VectorXd project_on_basis_functions(const Eigen::VectorXd& values) const;
   Eigen::MatrixXd project_on_basis_functions(const Eigen::MatrixXd& values) const;
-  /// Returns the Jacobian of a projection: column k is the derivative with respect to coefficient
-  /// k.
+  /// Returns the Jacobian of a projection: column k has the derivatives in coefficient k of Q_n.
   /// @param gradients gradients of the projected function with respect to the derivatives of the
   ///   exponent Q_n, at each point
   Eigen::MatrixXd project_gradients_on_basis(
@@ -101,7 +104,7 @@ class GaussianProjectionNodes {
  private:
   Eigen::VectorXd x1_, x2_;
   BasisFunctionDerivatives basis_;
-  // Weights times basis functions, of shape (points, basis functions)
+  // Quadrature weights times values of the basis functions, of shape (points, basis functions)
   Eigen::MatrixXd weighted_tests_;
 };
 

@@ -85,12 +85,13 @@ QuadratureRule piecewise_impulse_quadrature_rule(const problem::ImpulseLaw& law)
 
 namespace {
 
-// Number of quadrature panels with ten points in the radius and in the angle of a half-disc.
+// Number of quadrature panels, with ten points each, in the radius and in the angle of a half-disc.
 constexpr int kPanels = 3;
 constexpr int kJumpPoints = 20;
 
-// Returns a quadrature rule with the weights f1 f2 on two half-discs, each with one sign of x1. For
-// a point-symmetric integrand the quadrature rule uses one half-disc with doubled weights.
+// Returns a quadrature rule with the Gaussian weights f1 f2 on two half-discs, each with one sign
+// of x1. For a function that is even under (x1, x2) -> (-x1, -x2) the quadrature rule uses one
+// half-disc with doubled weights.
 PlaneQuadratureRule disc_rule(const StandardDeviations& sigma, double radius, bool symmetric) {
   const double half_turn = std::numbers::pi / 2;
   PlaneQuadratureRule rule;

@@ -12,7 +12,7 @@ namespace fpkcheck::epc::gaussian {
 namespace {
 
 // Degree in x1 and in x2 of the product of a part of the residual F and a projection function. The
-// derivative of the exponent in x2 has degree n-1, and the restoring force has at most degree 5.
+// derivative in x2 of the exponent Q_n has degree n-1, and the force has at most degree 5.
 constexpr int kForceDegree = numerics::Polynomial::kDegree - 1;
 int smooth_integrand_degree(int n) { return std::max(4 * (n - 1), kForceDegree + n - 1) + n; }
 int signed_integrand_degree(int n) { return std::max(3 * (n - 1), kForceDegree - 1 + n - 1) + n; }
@@ -31,8 +31,8 @@ PlaneQuadratureRule product_rule(const numerics::QuadratureRule& u1,
   return rule;
 }
 
-// Returns the quadrature rule on the wall x1 = 0, with int delta(x1) f1(x1) dx1 = f1(0) and |x2| =
-// sigma_2 |u|.
+// Returns the quadrature rule in u on the wall x1 = 0, with int delta(x1) f1(x1) dx1 = f1(0) and
+// |x2| = sigma_2 |u|.
 PlaneQuadratureRule wall_line_rule(const numerics::QuadratureRule& absolute,
                                    const StandardDeviations& sigma) {
   const double at_wall = 1 / (std::sqrt(2 * std::numbers::pi) * sigma.x1);
@@ -45,7 +45,7 @@ PlaneQuadratureRule wall_line_rule(const numerics::QuadratureRule& absolute,
 }
 
 // Returns the nodes of a quadrature rule. If the exponent Q_n is even under (x1, x2) -> (-x1, -x2),
-// the residual F of paper (22) is even, and half of the quadrature nodes suffice.
+// the residual F of paper (22) is even, and half of the quadrature points suffice.
 GaussianProjectionNodes projection_nodes(const PlaneQuadratureRule& rule,
                                          const GaussianWeightedBasis& basis) {
   const bool even = basis.monomial_set() == MonomialSet::point_symmetric;

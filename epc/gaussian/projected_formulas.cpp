@@ -18,16 +18,16 @@ using Eigen::VectorXd;
 using numerics::QuadratureRule;
 
 constexpr unsigned kPointsPerPanel = 10;
-// Width of the quadrature panels in standard deviations of the Gaussian weight: first width, and
-// smallest width after refinement.
+// Width of the quadrature panels in standard deviations of the Gaussian weight: width before
+// refinement, and smallest width after refinement.
 constexpr double kFirstPanel = 2, kLeastPanel = 0.125;
-// Refinement of the quadrature panels ends at this relative change of the weighted moments.
+// Relative change of the weighted moments at which the refinement of the quadrature panels ends.
 constexpr double kTargetError = 1e-10;
 // Number of halvings of the quadrature panels next to x2 = 0, where smoothed dry friction such as
 // tanh(v/eps) is steep.
 constexpr int kHalvingsAtRest = 6;
 
-// Norms of the powers of x1 and of x2 under the Gaussian weight, as in Basis.
+// Norms of the powers of x1 and of x2 under the Gaussian weight, as in GaussianWeightedBasis.
 struct WeightedMonomialNorms {
   VectorXd x1, x2;
 };
@@ -42,12 +42,13 @@ VectorXd monomial_norms(int degree, double sigma) {
   return norms;
 }
 
-// Radius, in deviations, beyond which u^degree exp(-u^2/2) is below 1e-16 of its maximum. The
-// maximum of u^degree exp(-u^2/2) is at u = sqrt(degree), and the logarithm of this function has a
-// curvature of at least 1.
+// Radius u, in standard deviations, beyond which u^degree exp(-u^2/2) is below 1e-16 of its
+// maximum. The maximum of u^degree exp(-u^2/2) is at u = sqrt(degree), and the logarithm of this
+// function has a curvature of at least 1.
 double integration_radius(int degree) { return std::sqrt(degree) + std::sqrt(2 * std::log(1e16)); }
 
-// Returns panel ends in [low, high] that contain the breaks, at distances of at most `width`.
+// Returns the ends of quadrature panels in [low, high] that contain the breaks of the integrand, at
+// distances of at most `width`.
 std::vector<double> panel_ends(double low, const std::vector<double>& breaks, double high,
                                double width) {
   std::vector<double> coarse{low};
@@ -64,8 +65,8 @@ std::vector<double> panel_ends(double low, const std::vector<double>& breaks, do
   return ends;
 }
 
-// Returns the quadrature points, and the weights times powers of x and the normal density, divided
-// by the norms of the powers: column p belongs to the power p.
+// Returns quadrature points in x, and the weights times powers of x and the normal density, divided
+// by the norms of the powers: column p belongs to the power x^p.
 struct GaussianWeightedPowers {
   std::vector<double> points;
   MatrixXd powers;
@@ -87,7 +88,7 @@ GaussianWeightedPowers weighted_powers(const std::vector<double>& ends, const Ve
   return result;
 }
 
-/// Domain of the quadrature, whose panels end at the kinks of the formulas.
+/// Domain of the quadrature in the (x1, x2) plane, whose panels end at the kinks of the formulas.
 class GaussianMomentQuadrature {
  public:
   GaussianMomentQuadrature(const problem::Problem& problem, const StandardDeviations& sigma,
@@ -108,9 +109,9 @@ class GaussianMomentQuadrature {
 
   const WeightedMonomialNorms& norms() const { return norms_; }
 
-  /// Returns the moments of a function over the plane, divided by the norms of the monomials. On
-  /// the folded plane the function is given at x1 > 0 and has a parity under (x1, x2) -> (-x1,
-  /// -x2).
+  /// Returns the moments of a function over the (x1, x2) plane under the Gaussian weight, divided
+  /// by the norms of the monomials. On the (z, z') plane the function is given at x1 > 0 and is
+  /// even or odd under (x1, x2) -> (-x1, -x2).
   MatrixXd plane_moments(const std::function<double(double, double)>& function, int parity,
                          double width) const {
     const auto in_x1 = weighted_powers(
@@ -136,7 +137,7 @@ class GaussianMomentQuadrature {
     return moments;
   }
 
-  /// Returns the moments of delta(x1) times an odd function of x2, given at x2 > 0.
+  /// Moments of delta(x1) times an odd function of x2, given at x2 > 0, with Gaussian weight.
   MatrixXd wall_moments(const std::function<double(double)>& odd, const std::vector<double>& kinks,
                         double width) const {
     std::vector<double> breaks = x2_breaks_;
@@ -167,7 +168,7 @@ struct MomentsOnRefinedQuadrature {
   double error;
 };
 
-// Halves the panels until the moments, given as a function of the panel width, have converged.
+// Halves the quadrature panels until the moments as a function of the panel width converge.
 MomentsOnRefinedQuadrature refine_until_converged(
     const std::function<MatrixXd(double)>& moments_at) {
   MomentsOnRefinedQuadrature result{moments_at(kFirstPanel), 0};
@@ -195,7 +196,7 @@ ProjectedFormulaTerms::ProjectedFormulaTerms(const GaussianWeightedBasis& basis,
     : constant_(VectorXd::Zero(basis.size())), linear_(MatrixXd::Zero(basis.size(), basis.size())) {
   assert(has_formulas(problem));
   const auto& system = problem.system;
-  // Degree in x1 and in x2 of the monomials that the products of basis functions contain
+  // Degree in x1 and in x2 of the monomials in the products of basis functions
   const int n = basis.order();
   const GaussianMomentQuadrature of_force(problem, basis.weight_standard_deviations(), 2 * n);
   const auto norm_factors = [](const GaussianMomentQuadrature& of) {

@@ -16,8 +16,8 @@ numerics::Polynomial terms_of_parity(const numerics::Polynomial& polynomial, std
   return numerics::Polynomial(a);
 }
 
-// Terms of the Kramers-Moyal series with even moments of Y: lambda E[Y^2]/2! [...] + lambda
-// E[Y^4]/4! [...]
+// Terms of the Kramers-Moyal series with even moments of the impulse Y: lambda E[Y^2]/2! [...] +
+// lambda E[Y^4]/4! [...]
 double even_series(const RateTimesMoments& m, const ExponentPartialDerivatives& q) {
   const double second = q.q22 + q.q2 * q.q2;
   const double fourth = q.q2222 + 4 * q.q2 * q.q222 + 3 * q.q22 * q.q22 + 6 * q.q2 * q.q2 * q.q22 +
@@ -36,8 +36,8 @@ ExponentPartialDerivatives even_series_gradient(const RateTimesMoments& m,
       .q2222 = fourth};
 }
 
-// Terms of the Kramers-Moyal series with odd moments of Y: -lambda E[Y] Q_2 - lambda E[Y^3]/3!
-// [...]
+// Terms of the Kramers-Moyal series with odd moments of the impulse Y: -lambda E[Y] Q_2 - lambda
+// E[Y^3]/3! [...]
 double odd_series(const RateTimesMoments& m, const ExponentPartialDerivatives& q) {
   const double third = q.q222 + 3 * q.q2 * q.q22 + q.q2 * q.q2 * q.q2;
   return -m[1] * q.q2 - m[3] / 6 * third;

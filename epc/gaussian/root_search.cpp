@@ -19,8 +19,9 @@ namespace {
 using numerics::NewtonResult;
 using problem::DensityEquation;
 
-// Largest accepted relative change of the closure coefficients between two discs of the jump
-// integral. For roots that are insensitive to the disc, the relative change is below 0.01.
+// Largest accepted relative change of the coefficients of Q_n when the jump integral's remainder is
+// integrated over a smaller disc. For roots that are insensitive to the disc of the jump integral's
+// remainder, the relative change of the coefficients is below 0.01.
 constexpr double kDiscSensitivityLimit = 0.05;
 
 std::vector<ExponentMonomial> gaussian_exponent(const StandardDeviations& sigma) {
@@ -34,8 +35,7 @@ bool is_force_odd(const problem::System& system) {
   return force.coefficient(0) == 0 && force.coefficient(2) == 0;
 }
 
-// For oscillators without a wall, asymmetric forces, noise or impulses need all monomials in the
-// exponent.
+// Without a wall, asymmetric forces, noise or impulses need all monomials in the exponent Q_n.
 MonomialSet required_monomials(const problem::Problem& problem, const ClosureOptions& options) {
   if (problem.system.left_wall()) return options.monomials;
   const bool symmetric =
@@ -142,9 +142,9 @@ class GaussianRootSearch {
                             .damped = damped});
   }
 
-  // Records a root of the projected equations and returns whether the root search ends. Up to
-  // closure order 6 any root ends the search, as in the paper. At higher orders only a root whose
-  // density decays on the edge of its support ends the search.
+  // Records a root of the projected equations and returns whether the search ends. Up to closure
+  // order 6 any root of the projected equations ends the search, as in the paper. Above closure
+  // order 6 only a root whose density decays on the edge of its support ends the search.
   bool record_attempt(const NewtonResult& result) {
     search_.iterations += result.iterations;
     if (attempts_++ == 0 || result.residual < search_.residual) search_.residual = result.residual;

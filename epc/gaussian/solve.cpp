@@ -15,9 +15,9 @@ namespace {
 
 using transform::Status;
 
-// Returns the smallest closure order n-2 whose density is compared with closure order n. For
-// oscillators without a wall, closure order 2 is excluded for densities with several wells or a
-// ring, which no Gaussian approximates.
+// Returns the smallest closure order n-2 whose density is compared with the density of closure
+// order n. For oscillators without a wall, closure order 2 is excluded for densities with several
+// peaks or a ring, which no Gaussian density approximates.
 int first_comparable_order(const problem::Problem& problem) {
   return problem.system.left_wall() ? 2 : 4;
 }
@@ -53,9 +53,9 @@ std::string inadmissible_reason(const DensitySupport& support,
   return "";
 }
 
-// Returns the reason why a root without a wall is inadmissible: a large residual of the virial
-// balance. A Gaussian in the middle of a double well satisfies the projected equations, but not the
-// virial balance.
+// Returns the reason why a root of a problem without a wall is inadmissible: a large residual of
+// the virial balance. A Gaussian density in the middle of a double well satisfies the projected
+// equations, but not the virial balance.
 std::string virial_inadmissible_reason(const problem::Problem& problem,
                                        const transform::BalanceResiduals& balances) {
   const double virial = std::abs(balances.virial.value_or(0));
@@ -95,7 +95,7 @@ void assess_closure_root(const problem::Problem& problem, const ExponentPolynomi
   if (previous) {
     const DensitySupport before(*previous, sigma);
     auto before_density = density_on_support(*previous, before, has_wall);
-    // the densities of closure orders n and n-2 then have equal quadrature panels
+    // Equal values of y_min give the densities of closure orders n and n-2 equal quadrature panels
     before_density.y_min = density.y_min;
     summary.distance_to_previous = summed_l1_distance(
         marginals,

@@ -26,12 +26,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using transform::Status;
 
-// Tolerance of CVODE for the scaled coefficients, which are of the order of 1 to 10.
+// Tolerance of CVODE for the scaled coefficients of Q_n, which are of the order of 1 to 10.
 constexpr double kTimeTolerance = 1e-9;
 
 /// Means of the basis functions under the density C exp(Q_n), by quadrature along rays from the
-/// origin of the scaled plane. A ray ends where Q_n rises again after exp(Q_n) has fallen below
-/// kMaxSupportEdgeDensity of its peak, as in DensitySupport.
+/// origin of the scaled plane. The quadrature along a ray ends where Q_n rises again after exp(Q_n)
+/// has fallen below kMaxSupportEdgeDensity of its peak, as in DensitySupport.
 class ClosureDensityMeans {
  public:
   static constexpr int kDirections = 96, kRadialPanels = 10;
@@ -68,7 +68,7 @@ class ClosureDensityMeans {
     return fmt::format("{} x {}", weights_.size() / points_per_ray_, points_per_ray_);
   }
 
-  /// Returns the probabilities of the points under C exp(Q_n).
+  /// Returns the probabilities of the quadrature points under the density C exp(Q_n).
   VectorXd probabilities(const VectorXd& a) const {
     const VectorXd q = values_ * a;
     double core_peak = -std::numeric_limits<double>::infinity();
@@ -105,8 +105,8 @@ class ClosureDensityMeans {
 };
 
 /// The equations M(a) da/dt = R(a) of solve_evolution() in formulations.hpp. The matrix M = G - m
-/// E_p[phi]^T, with the Gram matrix G and the means m under the weights, is a rank-one change of G
-/// (formula of Sherman and Morrison).
+/// E_p[phi]^T, with the Gram matrix G and the means m under the Gaussian weights, is a rank-one
+/// change of G (formula of Sherman and Morrison).
 class ClosureCoefficientRates {
  public:
   ClosureCoefficientRates(const ProjectedEquations& projection,
@@ -120,13 +120,15 @@ class ClosureCoefficientRates {
 
   const ClosureDensityMeans& means() const { return means_; }
 
-  /// Returns da/dt; empty if M is numerically singular.
+  /// Returns the time derivative da/dt of the coefficients a of Q_n; empty if the matrix M is
+  /// numerically singular.
   std::optional<VectorXd> rate(const VectorXd& a) const {
     return solve_with_mass_matrix(projection_.residual(coefficients_, a),
                                   means_.basis_function_means(means_.probabilities(a)));
   }
 
-  /// Returns the derivative of da/dt with respect to a; empty if M is numerically singular.
+  /// Returns the derivative of da/dt with respect to the coefficients a of Q_n; empty if the matrix
+  /// M is numerically singular.
   std::optional<MatrixXd> jacobian(const VectorXd& a) const {
     const VectorXd probabilities = means_.probabilities(a);
     const VectorXd density_means = means_.basis_function_means(probabilities);
@@ -140,8 +142,9 @@ class ClosureCoefficientRates {
   }
 
  private:
-  // Least value of det M / det G with which M is regular. The value is 1 minus the mean, under the
-  // density, of the best approximation of the constant 1 by basis functions.
+  // Smallest ratio det M / det G, with the Gram matrix G, for which the matrix M counts as regular.
+  // The ratio det M / det G is 1 minus the mean, under the density, of the best approximation of
+  // the constant 1 by basis functions.
   static constexpr double kLeastDeterminantRatio = 1e-3;
 
   template <class Matrix>
@@ -171,8 +174,7 @@ std::vector<ExponentMonomial> exponent_of_initial_density(const problem::Initial
           {0, 1, start.mean_velocity / v}};
 }
 
-// Stores the density with the exponent Q_n at one time, and the status if the density is
-// inadmissible.
+// Stores the density with the exponent Q_n at one time, and the status if it is inadmissible.
 void add_snapshot(const problem::Problem& problem, const ExponentPolynomial& q,
                   const StandardDeviations& sigma, double time, ClosureEvolution& evolution) {
   const DensitySupport support(q, sigma);
