@@ -40,8 +40,9 @@ VectorXd GalerkinSystem::residual(const DensityAtPoints& density, std::optional<
 }
 
 MatrixXd GalerkinSystem::jacobian(const DensityAtPoints& density, std::optional<double> t) const {
-  // d p / d a_k = p (phi_k - E[phi_k]) at the interior points and at the points on the wall. The
-  // part with E[phi_k] is the residual times E[phi_k], which vanishes at a root.
+  // The density p has the derivatives d p / d a_k = p (phi_k - E[phi_k]) at the interior points and
+  // at the points on the wall. The term of the Jacobian with the mean E[phi_k] is the residual
+  // times E[phi_k], which vanishes at a root.
   const BasisValuesAtPoints& phi = tables_.basis_functions;
   MatrixXd result = phi.basis_mean_products(tables_.generator_terms, density.mass);
   const MatrixXd wall_change = density.wall_mass.asDiagonal() * tables_.wall_basis_functions;
@@ -63,8 +64,8 @@ MatrixXd GalerkinSystem::covariance(const DensityAtPoints& density) const {
 
 VectorXd GalerkinSystem::fit_exponent_coefficients(const VectorXd& exponent,
                                                    const VectorXd& mass) const {
-  // The first function, 1, represents the constant term of the exponent, since Q_n has no constant
-  // term.
+  // The first basis function of the fit, 1, represents the constant term of the exponent, since Q_n
+  // has no constant term.
   const VectorXd weighted = mass.cwiseProduct(exponent);
   VectorXd right_hand_side(size() + 1);
   right_hand_side << weighted.sum(), basis_function_means(weighted);
@@ -82,7 +83,7 @@ ClosureDensity make_closure_density(const ClosureEquations& equations, const Vec
                          .temperature = density.mass.dot(points.v.cwiseAbs2()),
                          .level = level,
                          .support = support_energy(level, tail)};
-  // The constant term of the exponent differs between the orthonormal basis and the monomials.
+  // The constant term of the exponent is different in the orthonormal basis and in monomials.
   const double constant =
       closure.q(points.s[0], points.t[0]) -
       equations.basis().basis_values(points.s.head(1), points.t.head(1)).row(0).dot(a);

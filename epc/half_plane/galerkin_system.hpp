@@ -11,8 +11,8 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// Part of L*phi_k at the quadrature points that an excitation that changes in time multiplies by
-/// a factor, in addition to GalerkinQuadratureTables::generator_terms.
+/// Part of L*phi_k, for the basis functions phi_k, that is multiplied by a time-dependent factor of
+/// the excitation and added to GalerkinQuadratureTables::generator_terms.
 struct TimeDependentGeneratorTerm {
   std::function<double(double t)> factor;
   Eigen::MatrixXd values;
@@ -23,26 +23,27 @@ struct TimeDependentGeneratorTerm {
 struct GalerkinQuadratureTables {
   Eigen::VectorXd weight;
   BasisValuesAtPoints basis_functions;
-  /// L*phi_k, the mean rate of change of phi_k between impacts, of shape (points, basis functions)
+  /// Mean rate of change L*phi_k of the basis function phi_k between impacts, shape (points,
+  /// functions)
   Eigen::MatrixXd generator_terms;
-  /// Terms of L*phi_k whose factors change in time; empty for a constant excitation
+  /// Terms of the generator L*phi_k whose factors change in time; empty for a constant excitation
   std::vector<TimeDependentGeneratorTerm> time_dependent_terms = {};
   Eigen::VectorXd confinement_terms;
 
-  /// Quadrature weights of the points on the wall before an impact, y = 0 and v < 0
+  /// Quadrature weights of the points at the wall y = 0 with the velocities v < 0 before an impact
   Eigen::VectorXd wall_weight;
   Eigen::MatrixXd wall_basis_functions;
-  /// Change of phi_k in an impact, times the impact speed: |v| [phi(0,-r v) - phi(0,v)]
+  /// Change of basis function phi_k in an impact times impact speed: |v| [phi(0,-r v) - phi(0,v)]
   Eigen::MatrixXd impact_terms;
   Eigen::VectorXd wall_confinement_terms;
 };
 
-/// Galerkin equations of a density p = C exp(sum_k a_k phi_k + confinement) on y >= 0,
+/// Galerkin equations of a density p = C exp(sum_k a_k phi_k + confinement term) on y >= 0,
 ///
 ///     R_phi = int p L*phi dy dv + int_{v<0} |v| p(0,v) [phi(0,-r v) - phi(0,v)] dv = 0
 ///
-/// for every basis function phi. R_phi is the rate of change of E[phi] under the exact process, if
-/// the state has the density p.
+/// for every basis function phi. The residual R_phi is the rate of change of the mean E[phi] under
+/// the exact process, if the state has the density p.
 class GalerkinSystem {
  public:
   explicit GalerkinSystem(GalerkinQuadratureTables tables) : tables_(std::move(tables)) {}
@@ -56,26 +57,26 @@ class GalerkinSystem {
     double peak = 0;
     bool finite = false;  ///< whether the normalisation and wall_mass are finite
   };
-  /// Returns the normalised density with the given coefficients at all quadrature points.
+  /// Returns the normalised density with the given coefficients of Q_n at all quadrature points.
   DensityAtPoints evaluate_density(const Eigen::VectorXd& coefficients) const;
 
-  /// Returns the means E[phi] of the basis functions.
+  /// Returns the means E[phi] of the basis functions phi under a density.
   /// @param mass probability at each quadrature point
   Eigen::VectorXd basis_function_means(const Eigen::VectorXd& mass) const;
-  /// Returns the residual R_phi of every basis function phi.
+  /// Returns the residual R_phi of the Galerkin equation of every basis function phi.
   /// @param t time, for an excitation that changes in time; absent for the constant excitation
   Eigen::VectorXd residual(const DensityAtPoints& density, std::optional<double> t = {}) const;
-  /// Returns the Jacobian with dR_phi/da_k in row phi and column k, by covariances of L*phi and the
-  /// basis functions.
-  /// @param t time, as in residual()
+  /// Returns the Jacobian with the derivative dR_phi/da_k in row phi and column k, from the
+  /// covariances of L*phi and the basis functions.
+  /// @param t time, for an excitation that changes in time
   Eigen::MatrixXd jacobian(const DensityAtPoints& density, std::optional<double> t = {}) const;
-  /// Returns the covariance matrix of the basis functions under the density. In the norm of this
-  /// matrix, the length of a step in the coefficients a is the standard deviation of the change of
-  /// the exponent Q_n.
+  /// Returns the covariance matrix of the basis functions under the closure density. In the norm of
+  /// the covariance matrix, the length of a step in the coefficients of Q_n is the standard
+  /// deviation of the change of Q_n.
   Eigen::MatrixXd covariance(const DensityAtPoints& density) const;
 
   /// Returns the coefficients of the least-squares fit of the exponent Q_n to given values.
-  /// @param exponent values at the quadrature points
+  /// @param exponent values of the exponent at the quadrature points
   /// @param mass weights of the quadrature points in the fit
   Eigen::VectorXd fit_exponent_coefficients(const Eigen::VectorXd& exponent,
                                             const Eigen::VectorXd& mass) const;
@@ -84,7 +85,7 @@ class GalerkinSystem {
   GalerkinQuadratureTables tables_;
 };
 
-/// Galerkin equations together with the basis and the quadrature points.
+/// Galerkin equations of a closure, together with their basis and their quadrature points.
 class ClosureEquations : public GalerkinSystem {
  public:
   ClosureEquations(GalerkinQuadratureTables tables, OrthonormalBasis basis, QuadraturePoints points)
@@ -98,7 +99,7 @@ class ClosureEquations : public GalerkinSystem {
   QuadraturePoints points_;
 };
 
-/// Returns the density with the given coefficients in the basis, without
+/// Returns the closure density with given coefficients in the basis, without
 /// ClosureDensity::end_of_exponent_decay.
 /// @param level confinement level of the equations
 ClosureDensity make_closure_density(const ClosureEquations& equations,

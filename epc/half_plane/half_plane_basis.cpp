@@ -32,7 +32,7 @@ std::vector<Eigen::MatrixXd> OrthonormalPolynomials::polynomial_derivative_table
   tables[0].col(0).setOnes();
   for (int i = 0; i < degree(); ++i) {
     for (int j = 0; j <= order; ++j) {
-      // The j-th derivative of (x - a) h(x) is (x - a) h^(j) + j h^(j-1).
+      // The j-th derivative of (x - a) h(x) for a function h is (x - a) h^(j) + j h^(j-1).
       Eigen::VectorXd next = (x.array() - centre_[i]) * tables[j].col(i).array();
       if (j > 0) next += j * tables[j - 1].col(i);
       if (i > 0) next -= norm_[i - 1] * tables[j].col(i - 1);

@@ -30,8 +30,8 @@ double residual_norm(const VectorXd& residual, const MatrixXd& covariance, doubl
 
 namespace {
 
-// Returns L^-1 J^T L^-T, where G = L L^T is the covariance matrix: the transposed Jacobian in a
-// basis that is orthonormal under the density.
+// Returns L^-1 J^T L^-T, where G = L L^T is the covariance matrix of the basis functions: the
+// transposed Jacobian J in a basis that is orthonormal under the density.
 MatrixXd transposed_orthonormal_jacobian(const MatrixXd& jacobian, const MatrixXd& covariance) {
   const Eigen::LLT<MatrixXd> factors(covariance);
   const MatrixXd scaled = factors.matrixL().solve(jacobian);
@@ -126,8 +126,8 @@ numerics::SolutionCurve follow_homotopy(const GalerkinSystem& equations, const V
     return equations.jacobian(equations.evaluate_density(a));
   };
   // The options of the homotopy path are in units of the coefficients of basis functions with a
-  // variance of about 1. In 120 random problems with a limit of 120 points 30 of 32 paths to a root
-  // had at most 60 points; 68 of the other 174 paths ended at the limit.
+  // variance of about 1. In 120 random problems, 30 of 32 homotopy paths to a root had at most 60
+  // points; 68 of the other 174 paths ended at the limit of 120 points.
   return numerics::trace_solution_curve(numerics::newton_homotopy(residual, jacobian, start), start,
                                         {.tolerance = 0,
                                          .correction_tolerance = 1e-6,

@@ -16,8 +16,8 @@ using transform::Status;
 std::string common_inadmissible_reason(const ClosureRootSearchResult& root,
                                        const transform::Solution& solution,
                                        const ClosureSummary& summary) {
-  // Largest growth rate of moments near an accepted root, in units of relaxation_rate_unit().
-  // Rounding errors cause small positive growth rates.
+  // Largest growth rate of small deviations of the moments from an accepted root, in units of
+  // relaxation_rate_unit(). Rounding errors cause small positive growth rates near stable roots.
   constexpr double kGrowthLimit = 1e-3;
   constexpr double kBeyondLevelLimit = 1e-3;
   if (!(std::abs(solution.mass - 1) <= kClosureMassTolerance)) {

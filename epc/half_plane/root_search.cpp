@@ -20,20 +20,20 @@ using numerics::NewtonResult;
 
 constexpr double kRoughTolerance = 1e-4;
 constexpr int kMaxRefinements = 4;
-// Largest number of homotopy paths in one pass over the candidates for the confinement level.
-// Systems of at most kFewEquations equations have no limit, since their homotopy paths take tenths
-// of a second.
+// Largest number of homotopy paths in one pass over the candidates for the confinement level of the
+// density. For systems of at most kFewEquations equations the number of homotopy paths is
+// unlimited, since each path takes tenths of a second.
 constexpr int kMostHomotopies = 2, kFewEquations = 50;
 
-// Factor for the number of quadrature points in each coordinate, which more than doubles the number
-// of points in the plane.
+// Factor for the number of quadrature points in each coordinate; their product more than doubles.
 QuadraturePointCounts refined_point_counts(const QuadraturePointCounts& size) {
   return {size.s * 3 / 2, size.t * 3 / 2, size.wall * 3 / 2};
 }
 
-// Attempts a solution at each confinement level in turn, except close to a level with a solution.
-// Returns the first solution with a decay ratio below the limit, or else the solution with the
-// smallest decay ratio. If every attempt fails, the return value is empty.
+// Attempts a solution at each candidate for the confinement level in turn, except at levels close
+// to a level with a solution. Returns the first solution whose decay ratio is below the limit, or
+// else the solution with the smallest decay ratio. If the attempts at all confinement levels fail,
+// the return value is empty.
 template <class ClosureResult, class Attempt>
 std::optional<ClosureResult> try_confinement_levels(const std::vector<double>& levels,
                                                     double max_decay_ratio,
@@ -88,9 +88,8 @@ class HalfPlaneRootSearch {
       if (!next && n > first && formulation_.can_start_at_any_order()) {
         next = solve_order(formulation_.initial_density(), n);
       }
-      // Closure order 2 is solved twice. Under strong impact losses equivalent linearisation
-      // overestimates the standard deviations, which set the domain and the basis of the first
-      // solution.
+      // Closure order 2 is solved twice. Under strong impact losses, equivalent linearisation
+      // overestimates the standard deviations, which set the domain of the first solution.
       if (next && n == 2) next = solve_order(*next, n);
       if (!next) return;
       guess = *next;
@@ -98,7 +97,8 @@ class HalfPlaneRootSearch {
     solve_requested_order(guess);
   }
 
-  // The first call of this function after the deadline stores the reason of failure.
+  // Returns whether the deadline of the root search has passed; the first call after the deadline
+  // stores the reason of failure.
   bool is_past_deadline() {
     if (!deadline_.has_deadline_passed()) return false;
     if (std::exchange(deadline_reported_, true)) return true;
@@ -140,7 +140,7 @@ class HalfPlaneRootSearch {
         [&](double level) -> std::optional<std::pair<ClosureRootSearchResult, double>> {
       if (is_past_deadline() || !solve_at_level(guess, level)) return std::nullopt;
       homotopies_left_ = 0;
-      // The root may allow a better confinement level than the initial guess allowed.
+      // The density of the root may allow a better confinement level than the initial guess.
       const ClosureRootSearchResult first_root = root_;
       const auto improved_confinement_level =
           formulation_.improved_confinement_level(guess, first_root.closure);
@@ -155,8 +155,8 @@ class HalfPlaneRootSearch {
     if (best) root_ = *best;
   }
 
-  // Increases the number of quadrature points until the quadrature error is small. The quadrature
-  // of a density that is far from decayed is not refined, since the root is inadmissible.
+  // Increases the number of quadrature points until more points hardly change the exponent. If the
+  // density has by far not decayed, no quadrature points are added, since the root is inadmissible.
   bool solve_at_level(const ClosureDensity& guess, double level) {
     const QuadratureRefinementCriterion refinement = formulation_.quadrature_refinement_criterion();
     const bool estimated =
@@ -210,8 +210,8 @@ class HalfPlaneRootSearch {
   }
 
   // Returns the equations of closure order n, and the coefficients of the fit of the polynomial Q_n
-  // to the initial guess. The basis of the exponent is orthonormal under the density of the initial
-  // guess.
+  // to the initial guess of the density. The basis functions of the exponent are orthonormal under
+  // the density of the initial guess.
   StartingPoint make_starting_point(const ClosureDensity& guess, int n, double level,
                                     const QuadraturePointCounts& size) const {
     const double support = support_energy(level, options_.tail);
@@ -240,9 +240,9 @@ class HalfPlaneRootSearch {
             .polish = last};
   }
 
-  // If Newton's method fails, the end of a homotopy path is a second starting point. For large
-  // systems no path is followed if another confinement level has a root, or after kMostHomotopies
-  // failed paths.
+  // If Newton's method fails, the end of a homotopy path is a second starting point for Newton's
+  // method. For large systems no homotopy path is followed if another confinement level has a root,
+  // or after kMostHomotopies failed paths.
   NewtonResult solve_from(const StartingPoint& start, ClosureRootSearchStage stage) {
     const NewtonOptions options = newton_options(stage);
     NewtonResult result = solve_by_newton(start.equations, start.a, unit_, options);
@@ -296,7 +296,7 @@ class HalfPlaneRootSearch {
     return equations.covariance(equations.evaluate_density(a));
   }
 
-  // Returns the norm of the first Newton step with additional quadrature points.
+  // Returns the norm of the first Newton step after quadrature points have been added.
   static double exponent_change_on_finer_points(const ClosureEquations& fine,
                                                 const ClosureEquations& coarse, const VectorXd& a) {
     const GalerkinSystem::DensityAtPoints density = coarse.evaluate_density(a);

@@ -14,39 +14,38 @@
 
 namespace fpkcheck::epc::half_plane {
 
-/// Root of the closure equations of the requested closure order, or the reason why the search for
-/// this root failed.
+/// Root of the closure equations of the requested order, or the reason why the search failed.
 struct ClosureRootSearchResult {
   ClosureDensity closure;
-  /// Closure density of closure order n - 2; empty for n = 2.
+  /// Closure density of order n - 2, below the requested order n; empty for n = 2.
   std::optional<ClosureDensity> previous;
   double decay_ratio = 0;
   QuadraturePointCounts quadrature{};
-  /// Standard deviation of the change of the exponent Q_n by additional quadrature points.
+  /// Standard deviation of the change of the exponent Q_n when quadrature points are added.
   double quadrature_change = 0;
-  /// Whether the quadrature was not refined because the density is far from decayed.
+  /// Whether no quadrature points were added to check the root, as the density has by far not
+  /// decayed.
   bool is_refinement_omitted = false;
-  /// Result of Newton's method at the requested closure order, or at the order that failed, with
-  /// the number of iterations of all orders.
+  /// Result of Newton's method at the requested closure order, or at the order of failure, with the
+  /// number of iterations of all orders.
   numerics::NewtonResult newton;
   double condition = 0;
-  /// Eigenvalue with the largest real part of the linearised motion of the moments near the root
+  /// Eigenvalue with the largest real part of the linearised moment equations at the root
   std::complex<double> rightmost_eigenvalue = {};
   double relaxation_rate_unit = 0;  ///< ClosureFormulation::relaxation_rate_unit()
   int homotopies = 0;   ///< number of homotopies followed after damped Newton steps failed
   std::string failure;  ///< reason why no root was found; empty with a root
 };
 
-/// Stage of the search for a root of the closure equations, which sets the accuracy of the
-/// solution.
+/// Stage of the search for a root of a closure, which sets the tolerance of Newton's method.
 enum class ClosureRootSearchStage {
   rough,  ///< intermediate order, whose root starts the search at the next order
   last    ///< stage at the requested order
 };
 
-/// Condition under which the root search accepts the number of quadrature points.
+/// Condition under which the search for a root accepts the number of quadrature points.
 struct QuadratureRefinementCriterion {
-  /// Method to determine how much the exponent Q_n changes if quadrature points are added.
+  /// Method to determine how much the exponent Q_n changes when quadrature points are added.
   enum class ChangeMeasure {
     solved,    ///< solve the equations again with additional points, and use the new root
     estimated  ///< estimate the change by one Newton step with additional points, and keep the root
@@ -55,34 +54,33 @@ struct QuadratureRefinementCriterion {
   double tolerance;  ///< tolerance on the standard deviation of the change of the exponent Q_n
 };
 
-/// Interface between a formulation of the closure and the root search: coordinates, equations, and
-/// candidates for the confinement level. All energies of the formulation are defined as in
-/// QuadraturePoints::energy.
+/// Interface of a formulation of the closure to the root search: coordinates, closure equations,
+/// and candidates for the confinement level. All energies of a closure formulation have the
+/// definition of QuadraturePoints::energy.
 class ClosureFormulation {
  public:
   virtual ~ClosureFormulation() = default;
 
-  /// Initial guess of the density at the lowest closure order n.
+  /// Initial guess of the density at the lowest closure order n of the root search.
   virtual ClosureDensity initial_density() const = 0;
-  /// Lowest closure order n that the root search solves before the requested closure order.
+  /// Lowest closure order n that the root search solves before higher orders.
   virtual int lowest_searched_order(int /*order*/) const { return 2; }
-  /// Whether the search at closure order n may start from initial_density() if the start from
-  /// closure order n-2 finds no root.
+  /// Whether the root search at closure order n may start from initial_density() if the start from
+  /// the closure of order n-2 finds no root.
   virtual bool can_start_at_any_order() const { return false; }
   /// Unit of the residuals of the moment equations, half_plane::relaxation_rate_unit().
   virtual double relaxation_rate_unit() const = 0;
   /// Candidates for the confinement level, as energies, in the order of the attempts.
   virtual std::vector<double> candidate_confinement_energies(
       const ClosureDensity& guess, ClosureRootSearchStage stage) const = 0;
-  /// Confinement level that is larger, and more suitable for the density of a root, than the level
-  /// with which the root was found. Without a better confinement level the result is empty.
+  /// Larger confinement level that suits the density of a root better than the level with which the
+  /// root was found. If no better confinement level exists, the result is empty.
   virtual std::optional<double> improved_confinement_level(
       const ClosureDensity& /*guess*/, const ClosureDensity& /*closure*/) const {
     return std::nullopt;
   }
 
-  /// @param level_over_temperature confinement level divided by the temperature of the initial
-  ///   guess
+  /// @param level_over_temperature confinement level relative to E[v^2] of the initial guess
   virtual QuadraturePointCounts quadrature_point_counts(int order, double level_over_temperature,
                                                         ClosureRootSearchStage stage) const = 0;
   virtual QuadratureRefinementCriterion quadrature_refinement_criterion() const = 0;
@@ -93,12 +91,12 @@ class ClosureFormulation {
                                              OrthonormalBasis basis, QuadraturePoints points,
                                              const QuadraturePointCounts& size) const = 0;
 
-  /// Exponent of the initial guess. The formulation may replace the polynomial Q_n of the initial
-  /// guess where this polynomial rises again.
+  /// Exponent of the initial guess. A closure formulation may replace the polynomial Q_n of the
+  /// initial guess of the density where this polynomial rises again.
   virtual double exponent_of_initial_guess(const ClosureDensity& guess, double s, double t) const {
     return guess.q(s, t);
   }
-  /// Largest coordinate s up to which a polynomial Q_n falls
+  /// Largest value of the first coordinate s up to which a polynomial Q_n falls
   /// (ClosureDensity::end_of_exponent_decay).
   virtual double end_of_exponent_decay(const ExponentPolynomial& /*q*/,
                                        double /*temperature*/) const {
@@ -115,19 +113,19 @@ class ClosureFormulation {
     return mass;
   }
 
-  /// Largest density in the region where the density should have decayed, relative to the peak
-  /// density.
+  /// Largest density where the closure density should be negligible, relative to the peak.
   virtual double decay_ratio(const ClosureDensity& closure, ClosureRootSearchStage stage) const = 0;
-  /// Largest decay ratio with which the root search accepts a confinement level.
+  /// Largest decay ratio with which the search for a root accepts a confinement level.
   virtual double max_decay_ratio(ClosureRootSearchStage stage) const = 0;
 };
 
-/// Searches for the root of the requested closure order by solving the even orders in turn. The
-/// search at each closure order n starts from the density of closure order n - 2, on a domain
-/// adapted to this density. If this start fails, formulations with can_start_at_any_order() restart
-/// from the initial density. The search at each order uses the first confinement level at which the
+/// Searches for the root of the closure equations of the requested order by solving the equations
+/// of all even orders in turn. The root search at closure order n starts from the density of
+/// closure order n - 2, on a domain adapted to the density of order n - 2. If the start from
+/// closure order n - 2 fails, formulations with can_start_at_any_order() restart from the initial
+/// density. The root search at each closure order uses the first confinement level at which the
 /// density has decayed, or else the level with the smallest decay ratio. At the requested closure
-/// order the number of quadrature points grows until the quadrature resolves the root.
+/// order the number of quadrature points grows until more points do not change the root.
 ClosureRootSearchResult find_closure_root(const ClosureFormulation& formulation,
                                           const ClosureOptions& options);
 

@@ -22,33 +22,34 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using transform::Status;
 
-// Returns the tolerance of CVODE for the moments of a closure. The basis functions have a variance
-// of about 1. At 1e-6 the errors of the moments of order 8 cause an L1 error of the density of 0.05
-// (case 1, t = 1). At 1e-7 the L1 error is 6e-5 at order 8 and up to 7e-4 at order 10.
+// Returns the tolerance of CVODE for the moments of a closure over time. The basis functions of the
+// moments have a variance of about 1. At the tolerance 1e-6 the errors of the moments of order 8
+// cause an L1 error of the density of 0.05 (case 1, t = 1). At the tolerance 1e-7 the L1 error of
+// the density is 6e-5 at order 8 and up to 7e-4 at order 10.
 double time_tolerance(int order) { return order <= 8 ? 1e-7 : 1e-8; }
 // Largest accepted distance between the computed moments and the moments of the periodic state, for
 // basis functions with a variance of about 1
 constexpr double kPeriodicDistance = 1e-5;
-// Largest confinement level in deviations of v of the stationary density. At a level of 9
-// deviations basis functions of order 8 have values of 1e4 at the level, and case 1 needs a
-// tolerance of 1e-10.
+// Largest confinement level, as a velocity in standard deviations of v of the stationary density.
+// At a confinement level of 9 standard deviations, basis functions of order 8 have values of 1e4 at
+// the level, and case 1 needs a tolerance of 1e-10.
 constexpr double kLevelDeviations = 6.5;
-// Probability beyond kEdgeOfLevel times the confinement level above which a density is
-// inadmissible. In case 1 the probability is below 3e-6 for densities that do not depend on the
-// level, and at least 2e-5 for densities that depend on the level.
+// Probability above kEdgeOfLevel times the confinement level (an energy) at which a density is
+// inadmissible. In case 1 the probability near the confinement level is below 3e-6 for densities
+// that do not depend on the level, and at least 2e-5 for densities that depend on the level.
 constexpr double kEdgeOfLevel = 0.8, kBeyondEdgeLimit = 1e-5;
-// If the initial density has a larger probability beyond kEdgeOfLevel times the level, the level is
-// increased.
+// If the initial density has a larger probability above kEdgeOfLevel times the confinement level,
+// this level is increased.
 constexpr double kStartBeyondEdge = 1e-8;
 constexpr double kLevelIncrease = 1.25;
 constexpr int kMostIncreases = 12;
-// Largest accepted change of the exponent Q_n, and of the rates of the moments, by additional
-// quadrature points.
+// Largest accepted change of the exponent Q_n, and of the rates of change of the moments, when
+// quadrature points are added.
 constexpr double kQuadratureTolerance = 1e-3;
 constexpr int kMostRefinements = 2;
 
-/// Coefficients a(m) of the density of an exponential family with the moments m of the basis
-/// functions. The search starts from the last density that was found.
+/// Coefficients a(m) of Q_n of the closure density whose basis functions have the means m. The
+/// search for the coefficients of given moments starts from the last density that was found.
 class CoefficientsFromMoments {
  public:
   struct State {
@@ -63,15 +64,15 @@ class CoefficientsFromMoments {
   }
 
   const State& last_state() const { return last_; }
-  /// Returns the Cholesky factors of the covariance matrix M of the density last_state(); null if M
-  /// is not numerically positive definite.
+  /// Returns the Cholesky factors of the covariance matrix M of the basis functions under
+  /// last_state(); null if M is not numerically positive definite.
   const Eigen::LLT<MatrixXd>* covariance_factors() {
     return factorise_covariance(last_) ? &factors_ : nullptr;
   }
 
-  /// Finds the coefficients for the moments m by damped Newton steps, and stores the state as
-  /// last_state(). The steps use the covariance matrix of an earlier density while each step is at
-  /// most kFastContraction times as long as the previous step.
+  /// Finds the coefficients of Q_n for given moments m by damped Newton steps, and stores the
+  /// density as last_state(). Newton's method keeps the covariance matrix of an earlier density
+  /// while each step is at most kFastContraction times as long as the previous step.
   /// @return false if the search finds no density with these moments
   bool find_coefficients(const VectorXd& m) {
     constexpr double kTolerance = 1e-9, kFastContraction = 0.2;
@@ -115,8 +116,8 @@ class CoefficientsFromMoments {
     return state;
   }
 
-  // Returns the length of a step in Fisher's metric, the standard deviation of the change of Q_n;
-  // NaN if it is not finite.
+  // Returns the length of a step of the coefficients in Fisher's metric, which is the standard
+  // deviation of the change of Q_n; NaN if it is not finite.
   static double length_in_fisher_metric(const VectorXd& step, const VectorXd& moment_change) {
     const double square = step.dot(moment_change);
     return square < 0 ? 0 : std::sqrt(square);
@@ -133,7 +134,7 @@ class CoefficientsFromMoments {
     return is_positive_definite;
   }
 
-  // Returns the state after the longest part of a step, of a length of at most 1 in Fisher's
+  // Returns the state after the longest part of a Newton step, of a length of at most 1 in Fisher's
   // metric, that decreases ln Z(a) - a^T m.
   std::optional<State> shortened_step(const State& from, const VectorXd& step, double length,
                                       const VectorXd& m) const {
@@ -183,7 +184,8 @@ class ClosureMomentEvolution {
                 .amplitude) {}
 
   ClosureEvolution solve_with_refinement(const DensityOfClosure& density_of) {
-    // A density narrower than the stationary density needs more points on the same domain.
+    // A density narrower than the stationary density needs more quadrature points on the domain of
+    // the stationary density.
     const double narrowness =
         std::max({1.0, scales_.displacement_deviation / start_.displacement_deviation,
                   scales_.velocity_deviation / start_.velocity_deviation});
@@ -209,8 +211,7 @@ class ClosureMomentEvolution {
   }
 
  private:
-  // Returns the density of the stationary closure, or the initial density of the search if no root
-  // was found.
+  // Returns the density of the stationary closure, or the initial guess if no root was found.
   ClosureDensity stationary_density() const {
     const ClosureRootSearchResult root = find_closure_root(formulation_, options_);
     ClosureDensity density = root.failure.empty() ? root.closure : formulation_.initial_density();
@@ -241,7 +242,8 @@ class ClosureMomentEvolution {
     return mass / mass.sum();
   }
 
-  // Returns the level for the stationary density, extended by the motion under the force F(t).
+  // Returns the confinement level of the stationary density, extended by the motion under the
+  // external force F(t).
   double stationary_level() const {
     const double level = std::min(
         stationary_.level, kLevelDeviations * kLevelDeviations / 2 * stationary_.temperature);
@@ -249,7 +251,7 @@ class ClosureMomentEvolution {
     return speed * speed / 2;
   }
 
-  // Returns stationary_level(), or a larger level that contains the initial density.
+  // Returns stationary_level(), or a larger confinement level that contains the initial density.
   double level_containing_start(const QuadraturePointCounts& size) const {
     double level = stationary_level();
     for (int k = 0; k < kMostIncreases; ++k) {
@@ -272,11 +274,11 @@ class ClosureMomentEvolution {
                                           std::move(basis), std::move(points), size);
   }
 
-  // Returns the integrator of the moment equations. The coefficients hold the last density.
+  // Returns the integrator of the moment equations in time. The coefficients hold the last density.
   numerics::BdfIntegrator moment_integrator(const ClosureEquations& equations,
                                             CoefficientsFromMoments& coefficients,
                                             const VectorXd& start) const {
-    // Even an accurate integrator may step over a short pulse of the excitation.
+    // Even an accurate integrator without step limit may step over a short pulse of the excitation.
     constexpr double kLongestStep = 1e-2;
     const double tolerance = time_tolerance(options_.order);
     std::optional<double> max_step;
@@ -307,12 +309,12 @@ class ClosureMomentEvolution {
          .stop_time = times_.back()}};
   }
 
-  // Replaces `moments` by the moments of the periodic state. If the search fails, the function sets
-  // the status and returns false.
+  // Replaces the argument `moments` by the moments of the periodic state. If the search for the
+  // periodic state fails, the function sets the status and returns false.
   bool find_periodic_state(const ClosureEquations& equations, CoefficientsFromMoments& coefficients,
                            VectorXd& moments, ClosureEvolution& evolution) const {
     // In one period the slowest mode loses the fraction decayed_fraction() of its distance to the
-    // periodic state, which is the change per period.
+    // periodic state; this loss is the change per period.
     const double tolerance = kPeriodicDistance * problem::decayed_fraction(scales_, times_.back());
     const numerics::FixedPointResult found = numerics::solve_fixed_point(
         [&](const VectorXd& from) -> std::optional<VectorXd> {
@@ -339,9 +341,9 @@ class ClosureMomentEvolution {
     return false;
   }
 
-  // Integrates the moments and stores a snapshot at each time.
-  // @param stops_if_unresolved whether the integration stops before the first snapshot that more
-  //   quadrature points change by more than the tolerance
+  // Integrates the moments and stores the density at each output time.
+  // @param stops_if_unresolved whether the integration stops before the first output if more
+  //   quadrature points change the initial density by more than the tolerance
   ClosureEvolution integrate_moments(const QuadraturePointCounts& size,
                                      const DensityOfClosure& density_of,
                                      bool stops_if_unresolved) const {
@@ -352,7 +354,7 @@ class ClosureMomentEvolution {
     QuadraturePoints points = formulation_.quadrature_points_below_energy(support, size);
     const VectorXd exponent = exponent_of_initial_density(points);
     const VectorXd start_mass = normalised_mass(points, exponent);
-    // The basis is nearly orthonormal under the initial and under the stationary density.
+    // The basis functions are nearly orthonormal under the initial and stationary densities.
     const VectorXd mixture =
         0.5 * (start_mass + normalised_mass(points, exponent_of_stationary_density(points)));
     const ClosureEquations equations =
@@ -361,7 +363,7 @@ class ClosureMomentEvolution {
     const ClosureEquations fine_equations =
         make_equations(equations.basis(), level, finer,
                        formulation_.quadrature_points_below_energy(support, finer));
-    // A power below 1 of the density gives more weight to the tail in the fit.
+    // As weight of the fit, a power below 1 of the density increases the influence of the tail.
     constexpr double kFlatter = 1.0 / 3;
     CoefficientsFromMoments coefficients(
         equations, equations.fit_exponent_coefficients(
@@ -420,8 +422,8 @@ class ClosureMomentEvolution {
     return evolution;
   }
 
-  // Returns the change of the exponent Q_n, in standard deviations, and of the rates of the
-  // moments, in units of the rate of change, by more quadrature points.
+  // Returns the changes, when quadrature points are added, of the exponent Q_n in standard
+  // deviations and of the rates of the moments in units of the rate of change.
   double change_on_finer_points(const ClosureEquations& equations,
                                 const ClosureEquations& fine_equations,
                                 CoefficientsFromMoments& coefficients, double t) const {
