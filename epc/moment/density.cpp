@@ -26,8 +26,8 @@ half_plane::DensityContour energy_contour_of_domain_edge(const EnergySublevelSet
   constexpr int kPoints = 48;
   half_plane::DensityContour contour;
   for (const problem::HalfCycle& part : domain.y_intervals()) {
-    // The area A inside the contour has dA/dh = integral of dy/|v| over the points (y, +-v), with y
-    // = centre + half_length sin(phi).
+    // The area A inside the contour of energy h has dA/dh = integral of dy/|v| over the points (y,
+    // +-v), with y = centre + half_length sin(phi).
     const double centre = (part.left + part.right) / 2;
     const double half_length = (part.right - part.left) / 2;
     for (int i = 0; i < kPoints; ++i) {

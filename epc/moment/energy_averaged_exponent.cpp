@@ -21,8 +21,7 @@ EnergyAveragedExponent::EnergyAveragedExponent(const problem::EnergyAveraging& a
   constexpr double kBulk = 0.95;
   double below = 0;
   for (const Band& band : bands_) {
-    // The action integral oint v dy of an orbit equals the period times the mean of v^2 over the
-    // period.
+    // The action integral oint v dy of an orbit equals the period times the mean of v^2.
     temperature_ += band.mass * band.orbit.action / band.orbit.period;
     if (below < kBulk) bulk_ = band.energy - bottom_;
     below += band.mass;
@@ -32,7 +31,7 @@ EnergyAveragedExponent::EnergyAveragedExponent(const problem::EnergyAveraging& a
   }
 }
 
-// If no orbit of the nearest energy contains the displacement y, the next higher energy is used.
+// If no orbit of the nearest tabulated energy contains the displacement y, the next energy is used.
 const problem::EnergyAveraging::EnergyBand& EnergyAveragedExponent::nearest_energy_band(
     double y, double energy) const {
   const double place = std::round((energy - bands_.front().energy) / step_);

@@ -7,25 +7,25 @@
 
 namespace fpkcheck::epc::moment {
 
-/// Exponent -Phi(h) of the density by energy averaging (problem/energy_averaging.hpp), as a
-/// function of y and v. At energies below a maximum of the potential, each well has a separate
-/// function Phi.
+/// Exponent -Phi(h) of the energy-averaged density (problem/energy_averaging.hpp) with the energy
+/// h, as a function of y and v. At energies below a maximum of the potential, the exponent -Phi of
+/// the energy-averaged density is a separate function in each potential well.
 class EnergyAveragedExponent {
  public:
   /// @pre the problem is confined
   explicit EnergyAveragedExponent(const problem::Problem& problem);
 
-  /// The exponent of the energy-averaged density is linear in the energy between energy bands, and
-  /// extrapolated beyond the last band.
+  /// The exponent of the energy-averaged density is interpolated linearly in the energy between
+  /// energy bands, and extrapolated beyond the last band.
   double operator()(double y, double v) const;
 
   double temperature() const { return temperature_; }
-  /// Returns the smallest energy, relative to the minimum of the potential V, above which the
-  /// function Phi of the exponent -Phi exceeds `depth`.
+  /// Returns the smallest energy, relative to the minimum of the potential, above which the
+  /// exponent -Phi of the energy-averaged density is below -`depth`.
   double energy_at_exponent_decrease(double depth) const;
   /// Energy below which 95 % of the probability of the energy-averaged density lies.
   double energy_of_95_percent_quantile() const { return bulk_; }
-  /// Largest energy at which the potential has several wells; 0 for a single well.
+  /// Largest energy at which the potential has several wells; 0 for a potential with a single well.
   double barrier_energy() const { return barrier_; }
 
  private:

@@ -19,12 +19,12 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kQuarterTurn = std::numbers::pi / 2;
 
-// Number of quadrature points of a panel that ends at a kink of a formula, in addition to its share
-// of all points
+// Number of quadrature points of a panel that ends at a kink of a formula, in addition to points in
+// proportion to its width
 constexpr int kExtraPoints = 8;
 
-// Returns the number of Gauss-Legendre points of each panel for a rule of about `point_count`
-// points.
+// Returns the number of Gauss-Legendre points of each panel for a composite rule of about
+// `point_count` points.
 int points_per_panel(int point_count, std::size_t panels) {
   return panels == 1 ? point_count : point_count / static_cast<int>(panels) + kExtraPoints;
 }
@@ -37,8 +37,8 @@ std::vector<double> panel_ends(double low, const std::vector<double>& kinks, dou
   return ends;
 }
 
-// Maps a rule on [-1, 1] by tau = t (a + (1 - a) t^2), a = kSpacing, which multiplies the distance
-// between points near 0 by a.
+// Maps a quadrature rule on [-1, 1] by tau = t (a + (1 - a) t^2), a = kSpacing, which multiplies
+// the distance between points near 0 by a.
 void concentrate_points_at_zero(QuadratureRule& rule) {
   constexpr double kSpacing = 0.1;
   for (Eigen::Index i = 0; i < rule.size(); ++i) {
@@ -48,8 +48,7 @@ void concentrate_points_at_zero(QuadratureRule& rule) {
   }
 }
 
-// Returns one quadrature rule that joins the Gauss-Legendre rules of all panels between successive
-// panel ends.
+// Returns the composite quadrature rule of Gauss-Legendre rules on all panels.
 QuadratureRule join_panel_rules(const std::vector<double>& ends, int point_count) {
   const int points = points_per_panel(point_count, ends.size() - 1);
   QuadratureRule joined{{}, Eigen::VectorXd(static_cast<Eigen::Index>(ends.size() - 1) * points)};
@@ -99,8 +98,8 @@ double EnergySublevelSet::velocity_half_width(double y) const {
 
 double EnergySublevelSet::v_max() const { return std::sqrt(2 * level_); }
 
-// Returns the turning point that the motion would have behind a wall, at a distance of at most the
-// width of the given part of the domain.
+// Returns the turning point of the motion without the wall, behind the wall at a distance of at
+// most the width of the given part of the domain.
 double EnergySublevelSet::turning_point_behind_wall(double wall, double far) const {
   constexpr int kSteps = 16;
   const double step = (wall - far) / kSteps;
@@ -113,8 +112,8 @@ double EnergySublevelSet::turning_point_behind_wall(double wall, double far) con
 
 EnergySublevelSet::SineMap EnergySublevelSet::sine_map_of_half_cycle(const HalfCycle& part) const {
   // The half-width velocity_half_width(y) also has a square-root singularity at the turning point
-  // that the motion would have behind a wall. The substitution y = a + b sin(phi) removes the
-  // singularities at the two ends of the domain.
+  // of the motion without the wall, behind the wall. The substitution y = a + b sin(phi) removes
+  // the square-root singularities at the two ends of the domain.
   const double low =
       part.left_is_wall ? turning_point_behind_wall(part.left, part.right) : part.left;
   const double high =

@@ -28,7 +28,7 @@ VectorXd total_force(const problem::System& system, const VectorXd& y, const Vec
   return damping.cwiseProduct(v) + y.unaryExpr(system.restoring_force());
 }
 
-// Quadrature points on the walls, with the velocities of the mass before and after an impact.
+// Quadrature points on the walls, with the velocities before and after an impact.
 struct WallImpactQuadraturePoints {
   VectorXd y, before, after, weight;
 
@@ -67,9 +67,8 @@ half_plane::ClosureEquations closure_equations(
   const int n = basis.order();
   const Eigen::Index point_count = points.size();
 
-  // A term with a time-dependent coefficient has two parts: the generator contains the term at the
-  // largest excitation, and time_dependent_terms contains the difference from the largest
-  // excitation.
+  // A term of the generator with a time-dependent coefficient has two parts: the generator contains
+  // the term at the largest excitation, and time_dependent_terms the difference from it.
   const problem::ExcitationTimeDependence& time = problem.time;
   std::vector<half_plane::TimeDependentGeneratorTerm> time_dependent_terms;
   const auto add_term = [&](std::function<double(double)> factor) {
@@ -81,8 +80,8 @@ half_plane::ClosureEquations closure_equations(
   if (time.has_external_force()) add_term([time](double t) { return time.external_force(t); });
 
   // L* h_p(y) g_q(v) = v h_p' g_q + h_p [ -(f + g) g_q' + D G g_q'' + sum_j .. g_q^(j) ]. White
-  // noise adds the term of its diffusion coefficient D G. The derivatives are computed for blocks
-  // of points, since tables for all points would take up to 90 MB.
+  // noise adds the term with the diffusion coefficient D G. The derivatives of the basis functions
+  // are computed for blocks of points, since tables for all points would take up to 90 MB.
   constexpr Eigen::Index kPointsPerBlock = 256;
   MatrixXd generator_terms(point_count, basis.size());
   for (Eigen::Index begin = 0; begin < point_count; begin += kPointsPerBlock) {

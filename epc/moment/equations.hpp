@@ -8,16 +8,17 @@
 
 namespace fpkcheck::epc::moment {
 
-/// Returns the exact moment equations of the impact process: Galerkin equations for the polynomials
-/// phi of the basis. The generator is
+/// Returns the exact moment equations of the impact process, which are Galerkin equations: The
+/// projection functions of the Galerkin equations are the polynomials phi of the basis. The
+/// generator L* of the impact process between impacts is
 ///
 ///     L*phi = v phi_y - (f(y, v) + g(y)) phi_v + D G(y, v) phi_vv
 ///             + sum_{j=1}^n lambda E[Y^j]/j! d^j phi/dv^j,
 ///
-/// with the square G of the noise factor. The force f + g, the factor G and the restitution
-/// coefficient r may be formulas, which are evaluated at the quadrature points. The sum over the
-/// impulse moments E[Y^j] is finite, since phi is a polynomial. Each wall adds an impact term. For
-/// a right wall at y = b the impact term is
+/// with the noise coefficient D and the square G of the noise factor. Formulas of the force f + g,
+/// the factor G and the restitution coefficient r are evaluated at the quadrature points. The sum
+/// over the impulse moments E[Y^j] is finite, since the basis function phi is a polynomial. Each
+/// wall adds an impact term. For a right wall at y = b the impact term is
 ///
 ///     int_{v>0} v p(b,v) [phi(b,-r v) - phi(b,v)] dv,    r = r(v).
 ///

@@ -25,8 +25,8 @@ using half_plane::QuadraturePointCounts;
 using half_plane::QuadraturePoints;
 using half_plane::QuadratureRefinementCriterion;
 
-// Products lambda E[Y^j] of impulse rate and moments, j = 0 .. n; 0 for terms that the equation
-// lacks.
+// Products lambda E[Y^j] of the arrival rate and the moments of impulses, j = 0 .. n; 0 for terms
+// that the density equation lacks.
 std::vector<double> rates_times_moments(const problem::Problem& problem,
                                         const ClosureOptions& options) {
   std::vector<double> moments(options.order + 1);
@@ -39,7 +39,7 @@ double depth_at_deviations(double deviations) { return deviations * deviations /
 
 class MomentFormulation : public half_plane::ClosureFormulation {
  public:
-  // @param temperature approximation of E[v^2]
+  // @param temperature approximate value of E[v^2]
   MomentFormulation(const problem::Problem& problem, const ClosureOptions& options,
                     double temperature)
       : problem_(problem),
@@ -50,7 +50,7 @@ class MomentFormulation : public half_plane::ClosureFormulation {
   double relaxation_rate_unit() const override { return rate_unit_; }
 
   // Candidates for the confinement level: the energy at which exp(Q_n) of the initial guess is
-  // negligible, if such an energy exists, then candidate_levels().
+  // negligible, if such an energy exists, followed by candidate_levels().
   std::vector<double> candidate_confinement_energies(const ClosureDensity& guess,
                                                      ClosureRootSearchStage stage) const override {
     std::vector<double> levels = candidate_levels(guess);
@@ -67,9 +67,9 @@ class MomentFormulation : public half_plane::ClosureFormulation {
   }
 
   QuadratureRefinementCriterion quadrature_refinement_criterion() const override {
-    // Kinks of a formula along lines oblique to the axes limit the order of the quadrature. The
-    // quadrature tolerance for formulas is below the limit of solve_closure(), and more quadrature
-    // points would not reduce the error of the closure.
+    // Kinks of a formula along lines oblique to the axes y and v limit the order of the quadrature.
+    // The tolerance of the quadrature of formulas is below the limit of solve_closure(), and more
+    // quadrature points would not reduce the error of the closure.
     const double tolerance = problem_.system.has_polynomial_force() ? 1e-9 : 1e-7;
     return {QuadratureRefinementCriterion::ChangeMeasure::estimated, tolerance};
   }
@@ -87,8 +87,8 @@ class MomentFormulation : public half_plane::ClosureFormulation {
                                      confinement, std::move(basis), std::move(points), size.wall);
   }
 
-  // Decay ratio at the confinement level for intermediate closure orders, and at the edge of the
-  // support for the requested closure order.
+  // Density at the confinement level, for intermediate closure orders, or on the edge of the
+  // support, for the requested closure order, relative to the peak.
   double decay_ratio(const ClosureDensity& closure, ClosureRootSearchStage stage) const override {
     return stage == ClosureRootSearchStage::rough
                ? density_ratio_at_confinement_level(closure, problem_)
@@ -100,8 +100,7 @@ class MomentFormulation : public half_plane::ClosureFormulation {
   }
 
  protected:
-  // Candidates for the confinement level at which a density similar to the initial guess has
-  // decayed.
+  // Candidates for the confinement level at which a density like the initial guess has decayed.
   virtual std::vector<double> candidate_levels(const ClosureDensity& guess) const = 0;
   virtual std::pair<double, double> energy_scan_range(double from,
                                                       const ClosureDensity& guess) const = 0;
@@ -110,7 +109,7 @@ class MomentFormulation : public half_plane::ClosureFormulation {
 
  private:
   // Energy at which the exponent Q_n of a density lies kNegligibleExponentDepth below its peak;
-  // empty if the scan finds no such energy.
+  // empty if the scan of energies finds no such energy.
   std::optional<double> negligible_level(const ClosureDensity& closure, double from,
                                          const ClosureDensity& guess) const {
     const auto [begin, end] = energy_scan_range(from, guess);
@@ -141,13 +140,13 @@ class LinearisedFormulation final : public MomentFormulation {
                                                 ClosureRootSearchStage stage) const override {
     if (stage == ClosureRootSearchStage::rough)
       return {16 + 2 * order, 20 + 2 * order, 20 + 2 * order};
-    // The number of quadrature points grows more slowly than the width of the domain, since the
+    // The number of quadrature points increases more slowly than the width of the domain, since the
     // density is small in the added part of a wider domain.
     const double deviations = std::sqrt(2 * level_over_temperature);
     const double width = std::pow(deviations / kLevelDeviations[0], 0.75);
     const auto widened = [&](int points) {
-      // prevents the loss of a quadrature point by rounding if the relative width of the domain is
-      // 1
+      // The factor 1 + kRounding prevents the loss of a quadrature point by rounding if the
+      // relative width of the domain is 1
       constexpr double kRounding = 1e-9;
       return static_cast<int>(points * width * (1 + kRounding));
     };
@@ -156,8 +155,8 @@ class LinearisedFormulation final : public MomentFormulation {
   }
 
  private:
-  // Candidates for the confinement level in deviations of v, for a density exp(-h/T) with T =
-  // E[v^2].
+  // Candidates for the confinement level in standard deviations of v, for a density exp(-h/T) of
+  // the energy h with T = E[v^2].
   static constexpr std::array kLevelDeviations{6.5, 5.2, 8.0};
   static constexpr double kFarthestDeviations = 16;
 
@@ -180,20 +179,20 @@ class LinearisedFormulation final : public MomentFormulation {
   problem::MotionScales scales_;
 };
 
-// Root search from the density of energy averaging. The search at the lowest closure order starts
-// from the energy-averaged density. A higher order starts from the averaged density if the search
-// from the next lower order finds no root.
+// Root search from the energy-averaged density. The root search at the lowest closure order starts
+// from the energy-averaged density. At a higher closure order the search starts from the
+// energy-averaged density if the search from the next lower order finds no root.
 class EnergyAveragedFormulation final : public MomentFormulation {
  public:
   EnergyAveragedFormulation(const problem::Problem& problem, const ClosureOptions& options)
       : EnergyAveragedFormulation(problem, options, EnergyAveragedExponent(problem)) {}
 
-  // The initial density has no polynomial Q_n: exponent_of_initial_guess() evaluates the averaged
-  // density.
+  // The energy-averaged density as initial guess has no polynomial Q_n; exponent_of_initial_guess()
+  // evaluates its exponent.
   ClosureDensity initial_density() const override {
     return {.temperature = averaged_.temperature()};
   }
-  // The lowest closure order is 4, since a Gaussian (order 2) approximates no ring-shaped density.
+  // The lowest closure order is 4, since a Gaussian density (order 2) cannot be ring-shaped.
   int lowest_searched_order(int order) const override { return std::min(order, 4); }
   bool can_start_at_any_order() const override { return true; }
 
@@ -209,8 +208,9 @@ class EnergyAveragedFormulation final : public MomentFormulation {
     return guess.q.terms().empty() ? averaged_(y, v) : guess.q(y, v);
   }
 
-  // In a fit to the averaged density the weights are a small power of the averaged density. With
-  // these weights the fit also covers large energies, where the polynomial Q_n might rise.
+  // The fit of the exponent to the energy-averaged density has weights that are a small power of
+  // this density. With a small power of the density as weight, the fit also covers large energies,
+  // where the polynomial Q_n might rise.
   Eigen::VectorXd weights_of_exponent_fit(const ClosureDensity& guess, double,
                                           const QuadraturePoints& points,
                                           const Eigen::VectorXd& exponent,
@@ -232,16 +232,15 @@ class EnergyAveragedFormulation final : public MomentFormulation {
  private:
   // Candidates for the confinement level, given as numbers d: the level is the energy at which the
   // exponent -Phi of the energy-averaged density is -d^2/2. A Gaussian density has the exponent
-  // -d^2/2 at d standard deviations.
+  // -d^2/2 at a distance of d standard deviations from its peak.
   static constexpr std::array kDeviations{6.5, 7.2, 5.2, 8.0};
-  // Largest energy in the scan of the exponent, relative to the first candidate for the confinement
-  // level.
+  // Largest energy in the scan of the exponent Q_n, relative to the first confinement level.
   static constexpr double kLargestScanRatio = 8;
-  // Smallest values of the confinement level, in units of energy_of_95_percent_quantile(). The
-  // confinement term (energy / level)^16 at energy_of_95_percent_quantile() is then at most 5e-4
+  // Smallest values of the confinement level, in units of the 95 % quantile of the energy. The
+  // confinement term (energy / level)^16 at the 95 % quantile of the energy is then at most 5e-4
   // for kAboveBulk and 4e-8 for kFarAboveBulk.
   static constexpr double kAboveBulk = 1.6, kFarAboveBulk = 2.9;
-  // Lower limit of the confinement level, in units of barrier_energy().
+  // Lower limit of the confinement level, in units of the energy of the highest potential barrier.
   static constexpr double kAboveBarrier = 1.3;
 
   EnergyAveragedFormulation(const problem::Problem& problem, const ClosureOptions& options,

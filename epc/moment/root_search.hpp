@@ -11,14 +11,15 @@ struct Problem;
 
 namespace fpkcheck::epc::moment {
 
-/// Returns the closure formulation in the coordinates y and v.
+/// Returns the closure formulation whose exponent is a polynomial of y and v.
 /// @param problem must outlive the formulation
 std::unique_ptr<half_plane::ClosureFormulation> make_formulation(const problem::Problem& problem,
                                                                  const ClosureOptions& options);
 
-/// Searches for the root by half_plane::find_closure_root() in the coordinates y and v. The
-/// confinement level is the energy at which exp(Q_n) is negligible, or else an energy at which the
-/// density has decayed. starts_from_equivalent_linearisation() selects the start.
+/// Searches for the root of the closure equations in y and v by half_plane::find_closure_root().
+/// The confinement level is the energy at which exp(Q_n) is negligible, or else an energy at which
+/// the density has decayed. The initial density is selected by
+/// starts_from_equivalent_linearisation().
 half_plane::ClosureRootSearchResult find_closure_root(const problem::Problem& problem,
                                                       const ClosureOptions& options);
 

@@ -19,8 +19,8 @@ namespace {
 using half_plane::ClosureDensity;
 using half_plane::ClosureRootSearchResult;
 
-// Tolerance on the change of the exponent Q_n by additional quadrature points, in standard
-// deviations.
+// Largest accepted change of the exponent Q_n when quadrature points are added, in standard
+// deviations under the density.
 constexpr double kQuadratureTolerance = 1e-6;
 
 transform::SmoothDensity density_from_exponent(const problem::Problem& problem,
@@ -31,8 +31,8 @@ transform::SmoothDensity density_from_exponent(const problem::Problem& problem,
                                -closure.log_normalisation);
 }
 
-// Returns the reason why a density is inadmissible: the density has not decayed on the edge of its
-// support, or decays by the confinement alone.
+// Returns the reason why a closure density is inadmissible: it has not decayed on the edge of its
+// support, or decays by the confinement term alone.
 std::string inadmissible_reason(double edge_density, double density_at_level,
                                 const ExponentBehaviourAtInfinity& form) {
   const std::string behaviour = describe_exponent_at_infinity(form, "(y, v) / deviations");
@@ -61,7 +61,7 @@ ClosureResult solve_closure(const problem::Problem& problem, const ClosureOption
   const auto marginals = store_density(problem, ImpactCondition::map, density, result);
   if (root.previous) {
     auto before = density_from_exponent(problem, *root.previous, options.tail);
-    // the densities of closure orders n and n-2 then have equal quadrature panels
+    // Equal values of y_min give the densities of closure orders n and n-2 equal quadrature panels
     before.y_min = density.y_min;
     summary.distance_to_previous = summed_l1_distance(
         marginals, transform::marginals_at_quadrature_points(before, density.y_max, density.v_max));
