@@ -11,9 +11,10 @@ namespace fpkcheck::epc::polar {
 
 namespace {
 
-// Returns the stiffness K of the potential V(y) = U(y) + (K - k) y^2/2 in Coordinates.
+// Returns the stiffness K of the potential V(y) = U(y) + (K - k) y^2/2 in
+// AmplitudePhaseCoordinates.
 double coordinate_stiffness(const problem::Problem& problem) {
-  // Smallest stiffness K, relative to the stiffness of equivalent linearisation
+  // Smallest stiffness K of the potential V, relative to the stiffness of equivalent linearisation
   constexpr double kLeastStiffnessRatio = 0.1;
   return std::max(problem.system.stiffness(),
                   kLeastStiffnessRatio * problem::equivalent_linearisation(problem).stiffness);
@@ -40,8 +41,8 @@ AmplitudePhaseCoordinates::AmplitudePhaseCoordinates(const problem::Problem& pro
           divide_by_power(problem.system.restoring_force(), 1, 1, problem.system.stiffness())) {}
 
 double AmplitudePhaseCoordinates::displacement_upper_bound(double w) const {
-  // If one of the positive terms of 2 V(y) equals w^2 at a displacement y, the sum 2 V(y) is at
-  // least w^2.
+  // If one of the positive terms of 2 V(y), with the potential V, equals w^2 at a displacement y,
+  // the sum 2 V(y) is at least w^2.
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t n = 0; n <= potential_ratio_.degree(); ++n) {
     if (!(potential_ratio_.coefficient(n) > 0)) continue;
@@ -81,7 +82,7 @@ std::vector<double> AmplitudePhaseCoordinates::amplitude_break_points(
     if (at > 0 && at < rho_max) breaks.push_back(at);
   }
   std::ranges::sort(breaks);
-  // Atoms of the impulse law at -a and at a give equal amplitudes of motion, up to rounding.
+  // Atoms of the impulse law at -a and at a give equal break points up to rounding.
   const auto near = [](double a, double b) { return b - a < 1e-9 * b; };
   breaks.erase(std::unique(breaks.begin(), breaks.end(), near), breaks.end());
   return breaks;

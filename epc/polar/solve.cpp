@@ -18,8 +18,8 @@ using half_plane::ClosureDensity;
 using half_plane::ClosureRootSearchResult;
 using transform::QuadraturePanelSpacing;
 
-// Returns the spacing of quadrature panels: the coarse spacing if the total probability has an
-// error below kMissed with coarse panels.
+// Returns the spacing of quadrature panels: the coarse spacing if coarse panels integrate the
+// density to 1 with an error below kMissed.
 QuadraturePanelSpacing panels_for(const transform::SmoothDensity& density) {
   constexpr double kMissed = 1e-6;
   const double mass = transform::marginals_at_quadrature_points(
@@ -29,8 +29,8 @@ QuadraturePanelSpacing panels_for(const transform::SmoothDensity& density) {
                                       : QuadraturePanelSpacing::geometric;
 }
 
-// Returns the marginal densities of closure order n-2, normalised on the bounding box of the
-// density of closure order n.
+// Returns the marginal densities of the closure of order n-2, normalised on the bounding box of the
+// closure density of order n.
 transform::QuadratureMarginals previous_marginals(const AmplitudePhaseCoordinates& coordinates,
                                                   const ClosureDensity& previous,
                                                   const transform::SmoothDensity& density,
@@ -57,8 +57,8 @@ transform::QuadratureMarginals previous_marginals(const AmplitudePhaseCoordinate
 amplitude::CoordinateFormulation<AmplitudePhaseCoordinates> make_formulation(
     const problem::Problem& problem, const AmplitudePhaseCoordinates& coordinates,
     const ClosureOptions& options) {
-  // The temperature is the mean square velocity plus the potential energy of the static deflection.
-  // Equivalent linearisation does not include the potential energy of the static deflection.
+  // The temperature of the closure density is the mean square velocity plus the potential energy of
+  // the static deflection. Equivalent linearisation omits the energy of the static deflection.
   const problem::MotionScales scales = problem::motion_scales(problem);
   const double centre = coordinates.sqrt_twice_potential(scales.centre);
   const double temperature =
