@@ -155,7 +155,7 @@ std::optional<problem::Problem> problem_in_coordinates(const problem::WallFrame&
                   coordinates.origin));
 }
 
-// Returns the integral of the density of a closed form without a constant C, including the atom.
+// Returns the integral of the density of a closed form without constant C, with the atom at rest.
 double integrate_with_atom(const ClosedFormDensity& form, const problem::Problem* problem,
                            const SmoothDensity& density) {
   if (form.frame.variables != ExponentCoordinates::contact) {

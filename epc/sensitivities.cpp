@@ -27,7 +27,7 @@ ClosureMomentDerivatives moment_derivatives(
     const problem::Problem& transformed, const ClosureOptions& options,
     const std::vector<problem::ParameterDifferenceQuotient>& parameters) {
   ClosureMomentDerivatives result;
-  // Returns the moments of the closure of a problem, and stores the first failure.
+  // Returns the moments of the closure of a problem; the first closure that fails is recorded.
   const auto moments_of = [&](const problem::Problem& problem, const std::string& changed) {
     const ClosureResult closure = solve_closure(problem, options);
     const auto& solution = closure.solution;

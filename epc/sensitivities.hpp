@@ -9,14 +9,15 @@
 
 namespace fpkcheck::epc {
 
-/// Computes the derivatives of the moments of a stationary closure with respect to parameters, by
-/// difference quotients of the roots of changed problems. The error estimates are the differences
-/// to the derivatives of the closure of order n-2; for n = 2 the error estimates are NaN.
+/// Computes the derivatives of the moments of a stationary closure with respect to parameters of
+/// the problem, by difference quotients of closures of problems with changed parameters. The error
+/// estimates of the derivatives are the differences from the derivatives of the closure of order
+/// n-2; for n = 2 the error estimates are NaN.
 ///
-/// The status is `not_converged` if a root of a changed problem does not have the status `ok`. The
-/// status does not depend on ClosureOptions::accuracy.
-/// @param parameters derivatives with steps of about 1e-3: the roots have relative errors of about
-///   1e-10, and the quotients relative errors of second order
+/// The status is `not_converged` if the closure of a problem with changed parameters does not have
+/// the status `ok`. The status of the sensitivities does not depend on ClosureOptions::accuracy.
+/// @param parameters difference quotients with relative parameter steps of about 1e-3; the closures
+///   have relative errors of about 1e-10
 /// @throws InputError for invalid options
 transform::MomentSensitivities solve_sensitivities(
     const problem::Problem& problem, const ClosureOptions& options,

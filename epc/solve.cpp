@@ -52,8 +52,8 @@ std::string wall_unsupported_reason(const problem::ProblemFeatures& features) {
   return "";
 }
 
-// Without white noise the oscillator sticks where a force jumps, and the stationary law has an atom
-// or a density on a line.
+// Without white noise the oscillator sticks at rest where the force jumps, and the stationary law
+// has an atom or a density on a line.
 std::string force_jump_reason(const problem::Problem& problem, const ClosureOptions& options) {
   const bool noise =
       problem.noise.is_acting() || closure_density_equation(options) == DensityEquation::white;

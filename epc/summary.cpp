@@ -17,15 +17,15 @@ using transform::value_from_optional;
 base::Value text_value(std::string_view text) { return std::string(text); }
 
 // Returns whether the last digits of the solution depend on the path of the root search. At high
-// orders of the formulation `moment` the path of the root search determines the quadrature points.
+// closure orders of the formulation `moment` the search path determines the quadrature points.
 bool is_path_dependent(const ClosureSummary& summary) {
   constexpr int kSettledOrder = 8;
   return summary.formulation == Formulation::moment && summary.order > kSettledOrder;
 }
 
-// Returns the scale below which a change of a closure coefficient is rounding error. A unit
-// coefficient of x1^p x2^q changes the density, relative to the peak density, by at most sigma_1^p
-// sigma_2^q max |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2).
+// Returns the scale below which a change of a coefficient of Q_n is a rounding error. A coefficient
+// 1 of x1^p x2^q changes the density, relative to its peak, by at most sigma_1^p sigma_2^q max
+// |x|^p exp(-x^2/2) max |x|^q exp(-x^2/2).
 double rounding_scale_of_coefficient(const ExponentMonomial& term,
                                      const transform::Moments& moments, double rounding) {
   constexpr double kRelative = 50e-8;
@@ -38,9 +38,10 @@ double rounding_scale_of_coefficient(const ExponentMonomial& term,
   return rounding / (effect * kRelative);
 }
 
-// Adds the coordinates and the constant of the closed form, for read_closed_form(). A repeated run
-// need not reproduce coordinates and constant of a closed form, since the coefficients and the
-// problem determine them. Files of earlier program versions lack the metrics of the closed form.
+// Adds the coordinates and the constant C of the closed form, for read_closed_form(). A repeated
+// run need not reproduce the coordinates and the constant C of a closed form, since the
+// coefficients and the problem determine them. Result files of earlier program versions lack the
+// metrics of the closed form of a closure.
 void add_frame_metrics(const ClosureSummary& summary, SolverMetricsBuilder& builder) {
   if (!summary.frame) return;
   builder.add_text_metric("coordinates", text_value(name(summary.frame->variables)))
@@ -62,7 +63,7 @@ void add_edge_metrics(const ClosedFormDensityParameters& frame, SolverMetricsBui
 
 void add_coefficient_metrics(const ClosureSummary& summary, const transform::Moments& moments,
                              SolverMetricsBuilder& builder) {
-  // Rounding errors of the closure density, relative to its peak
+  // Rounding errors of the closure density, relative to its peak density
   constexpr double kRounding = 1e-14, kPathRounding = 3e-9;
   if (summary.coefficients.empty()) builder.add_empty_list("coefficients");
   const double rounding = is_path_dependent(summary) ? kPathRounding : kRounding;
@@ -85,7 +86,7 @@ void add_support_metrics(const ClosureSummary& summary, SolverMetricsBuilder& bu
   }
   const DensitySupportSummary& support = *summary.support;
   const ExponentBehaviourAtInfinity& form = *summary.leading_form;
-  // The edge density, if close to 0, is sensitive to rounding errors of the coefficients.
+  // A density near 0 on the edge of the support is sensitive to rounding errors of coefficients.
   const auto add_small_density_metric = [&](const char* path, double value) {
     builder.add(
         {.path = path,
@@ -104,8 +105,8 @@ void add_support_metrics(const ClosureSummary& summary, SolverMetricsBuilder& bu
   add_small_density_metric("support.cut_off", support.cut_off);
   builder
       .add_result_metric("support.rising_share", form.rising_fraction)
-      // If the leading form is isotropic, the direction with the largest leading coefficient is
-      // arbitrary.
+      // If the leading form of the exponent is isotropic, the direction with the largest leading
+      // coefficient is arbitrary.
       .add_diagnostic_metric("support.worst_direction.x1", form.worst.x1)
       .add_diagnostic_metric("support.worst_direction.x2", form.worst.x2)
       .add_result_metric("support.rises_from",
@@ -116,7 +117,7 @@ base::Value leading_form_text(const ExponentBehaviourAtInfinity& form) {
   return text_value(form.negative ? "negative" : "indefinite");
 }
 
-// Returns the sign at infinity of the leading form of the exponent with its confinement term. With
+// Returns the sign at infinity of the leading form of the exponent Q_n plus confinement term. With
 // a confinement term in the exponent the leading form is negative for every polynomial Q_n.
 base::Value leading_form_of_exponent(const ClosureSummary& summary) {
   if (!summary.leading_form) return {};

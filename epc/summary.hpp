@@ -11,25 +11,25 @@
 
 namespace fpkcheck::epc {
 
-/// Size of the support of the closure density, the set on which C exp(Q_n) is not 0.
+/// Size of the support of the closure density, the set on which the density C exp(Q_n) is not 0.
 struct DensitySupportSummary {
-  /// Smallest radius of the edge of the support, in standard deviations of the weights (25)-(26) of
-  /// the paper
+  /// Smallest radius of the edge of the support, in standard deviations of the Gaussian weights
+  /// (25)-(26) of the paper
   double least_radius;
-  /// Largest radius of the edge of the support, in standard deviations of the weights (25)-(26) of
-  /// the paper
+  /// Largest radius of the edge of the support, in standard deviations of the Gaussian weights
+  /// (25)-(26) of the paper
   double greatest_radius;
   double y_max, v_max;
   double edge_density;  ///< largest density on the edge, relative to the peak density
-  /// Estimated probability outside the support, by
+  /// Estimated probability outside the support of the closure density, by
   /// gaussian::DensitySupport::probability_outside_support
   double cut_off;
   double y_min = 0;
 };
 
 /// Point on the branch of solutions from the exact density under white noise with elastic impacts
-/// to the full problem. On the branch, 1-r, E[Y], E[Y^3], E[Y^4] and, for `kf`, the remainder of
-/// the jump integral are multiplied by `fraction`. The full problem has fraction 1.
+/// to the full problem. On the branch, 1-r, E[Y], E[Y^3], E[Y^4] and, for the equation `kf`, the
+/// remainder of the jump integral are multiplied by `fraction`. The full problem has fraction 1.
 struct SolutionBranchPoint {
   double fraction;
   double norm;
@@ -62,32 +62,33 @@ struct SolutionBranch {
   std::vector<SolutionBranchPoint> points;
 };
 
-/// Summary of the formulations on the half-plane, `moment` and `polar`.
+/// Summary of a closure in the formulations on the half-plane y >= 0, `moment` and `polar`.
 struct HalfPlaneClosureSummary {
   DensityTailTreatment tail;
   double level;             ///< confinement level, or energy beyond which the density is cut to 0
   double level_deviations;  ///< confinement level in deviations of v: sqrt(2 level / E[v^2])
-  /// Estimated probability beyond the confinement level, by half_plane::probability_beyond_contour
+  /// Estimated probability above the confinement level (an energy), by
+  /// half_plane::probability_beyond_contour
   double beyond_level;
-  /// Standard deviation of the change of the exponent Q_n by additional quadrature points
+  /// Standard deviation of the change of the exponent Q_n when quadrature points are added
   double quadrature_change;
   int homotopies;
-  /// Decay rate and frequency of the slowest deviation of the moments from the root, under the
-  /// linearised moment equations
+  /// Decay rate and frequency of the slowest deviation of the moments from the root of the closure
+  /// equations, under the linearised moment equations
   double relaxation_rate, relaxation_frequency;
 };
 
-/// Quantities that the closure solver reports in addition to the solution. If no root was found,
-/// support, leading form and coefficients are absent.
+/// Quantities that the closure solver returns in addition to the density and its moments. If no
+/// root of the closure equations was found, support, leading form and coefficients are absent.
 struct ClosureSummary {
   int order = 0;
   Formulation formulation = Formulation::gaussian;
   int iterations = 0;
-  // largest projection (23) of the paper, or largest rate of change of a moment, relative to the
-  // damping c
+  // largest projection (23), or largest rate of change of a moment, relative to the damping c
   double residual = 0;
-  /// Condition number of the Jacobian at the root, in the scaled unknowns of gaussian::Basis
-  /// (`gaussian`) or by half_plane::condition_number (`moment`, `polar`).
+  /// Condition number of the Jacobian at the root, in the scaled unknowns of
+  /// gaussian::GaussianWeightedBasis (`gaussian`) or by half_plane::condition_number (`moment`,
+  /// `polar`).
   std::optional<double> condition = {};
   /// Coefficients of the polynomial Q_n in unscaled monomials, without the constant term.
   std::vector<ExponentMonomial> coefficients = {};
@@ -95,20 +96,20 @@ struct ClosureSummary {
   std::optional<DensitySupportSummary> support = {};
   std::optional<ExponentBehaviourAtInfinity> leading_form =
       {};  ///< behaviour of the exponent Q_n at infinity
-  /// Distance between the densities of closure order n and n-2: sum of the L1 distances of p(y) and
-  /// p(y'). If the sequence of orders converges fast, the distance between orders n and n-2
-  /// approximates the error of closure order n-2. Without a root of closure order n-2 the distance
-  /// is empty.
+  /// Distance between the closure densities of order n and n-2: sum of the L1 distances of p(y) and
+  /// p(y'). If the closure densities converge fast with increasing order, the distance between
+  /// orders n and n-2 approximates the error of closure order n-2. If the closure equations of
+  /// order n-2 have no root, the distance between the orders n and n-2 is empty.
   std::optional<double> distance_to_previous = {};
   transform::Moments moments = {};
   /// Residuals of the virial balance and of the momentum balance of the closure density.
   transform::BalanceResiduals balances = {};
-  /// Relative change of the scaled coefficients if the disc of gaussian::JumpIntegralRemainder is
-  /// reduced in radius by one standard deviation (for `kf`).
+  /// Relative change of the coefficients of Q_n when the disc of gaussian::JumpIntegralRemainder is
+  /// reduced in radius by one standard deviation (equation `kf`).
   std::optional<double> disc_sensitivity = {};
   /// Branch of solutions, which the formulation `gaussian` follows if Newton's method finds no root
   SolutionBranch branch = {};
-  /// Whether plain Newton steps from equivalent linearisation, the paper's method, converge.
+  /// Whether undamped Newton steps from equivalent linearisation (the paper's method) converge.
   bool plain_newton_converges = false;
   std::optional<HalfPlaneClosureSummary> half_plane = {};
 };
@@ -118,32 +119,34 @@ struct ClosureResult {
   ClosureSummary summary;
 };
 
-/// Returns the metrics of a summary, in the order in which files list the metrics.
-/// @param moments moments in the coordinates of the polynomial Q_n, which scale the effect of a
-/// coefficient on the
-///   density
+/// Returns the metrics of a closure summary, in the order of the output files.
+/// @param moments moments in the variables of the polynomial Q_n, which scale the effect of a
+/// coefficient of Q_n on the density
 transform::Metrics solver_metrics(const ClosureSummary& summary, const transform::Moments& moments);
 
-// A root of the closure equations determines a density. The following limits decide whether this
-// density is accepted. docs/closure.md has the experiments that set the limits.
+// Each root of the closure equations determines a density, which may be inadmissible. The following
+// limits decide whether the density of a root of the closure equations is accepted. The page
+// docs/closure.md has the experiments that set the limits.
 
-/// Largest accepted density on the edge of the support, relative to the peak density.
+/// Largest density on the edge of the support of an accepted closure, relative to the peak density.
 inline constexpr double kMaxSupportEdgeDensity = 1e-6;
 
-/// Largest difference between the integral of the density and 1 that counts as quadrature error.
+/// Largest difference between the integral of the closure density and 1 due to the quadrature.
 inline constexpr double kClosureMassTolerance = 1e-4;
 
-/// Largest accepted residual of the energy balance, relative to the input power, in the formulation
-/// `gaussian`. A root of closure order n = 2 satisfies the energy balance exactly, a root of higher
-/// order approximately. The energy balance is the density equation projected on x2^2 without
-/// weights. The largest residual of the energy balance of an accurate root was 0.08. At a residual
-/// of 0.16 (r = 0.85, n = 6) E[y^2] has an error of 20 %. Roots far from any stationary density
-/// have residuals of the energy balance of 0.4 and more.
+/// Largest residual of the energy balance of an accepted closure, relative to the input power, in
+/// the formulation `gaussian`. A closure of order n = 2 satisfies the energy balance exactly, a
+/// closure of higher order approximately. The energy balance is the density equation projected on
+/// the monomial x2^2 without a weight function. The largest residual of the energy balance of an
+/// accurate closure was 0.08 of the input power. At a residual of the energy balance of 0.16
+/// (restitution coefficient r = 0.85, order n = 6), E[y^2] has an error of 20 %. Roots far from any
+/// stationary density have residuals of the energy balance of at least 0.4 of the input power.
 inline constexpr double kMaxClosureEnergyResidual = 0.1;
 
-/// Largest accepted ClosureSummary::distance_to_previous of a root, if the density of closure order
-/// n-2 is admissible. Accurate roots have distances below 0.16 at n = 4, where the density of
-/// closure order n-2 is a Gaussian, and below 0.04 from n = 6 on.
+/// Largest L1 distance of an accepted closure density of order n from the density of order n-2, if
+/// the density of order n-2 is admissible. Accurate closures have L1 distances from the closure of
+/// order n-2 below 0.16 at n = 4, where the closure of order n-2 is a Gaussian density, and below
+/// 0.04 from n = 6 on.
 inline constexpr double kMaxL1DistanceToPreviousOrder = 0.3;
 
 }  // namespace fpkcheck::epc

@@ -20,10 +20,10 @@ namespace {
 using transform::Status;
 using transform::TransientRequest;
 
-// Smallest deviations of the initial density, relative to the stationary deviations and to the root
-// mean square of an impulse.
+// Smallest standard deviations of the initial density, relative to the stationary standard
+// deviations and to the root mean square of an impulse.
 constexpr double kLeastStationaryFraction = 0.3, kLeastImpulseFraction = 0.5;
-// Shortest time limit, in seconds, of the closure of order n-2.
+// Shortest time limit, in seconds, of the solution over time by the closure of order n-2.
 constexpr double kShortestSeconds = 0.1;
 
 std::string narrow_start_reason(const problem::Problem& problem,
@@ -46,7 +46,7 @@ std::string narrow_start_reason(const problem::Problem& problem,
       start.displacement_deviation, start.velocity_deviation, least_y, least_v);
 }
 
-// Returns the reason why the formulation gaussian does not support a density over time.
+// Returns the reason why the formulation `gaussian` does not support a density over time.
 std::string gaussian_transient_unsupported_reason(const problem::Problem& problem,
                                                   const problem::InitialGaussian& start,
                                                   const ClosureOptions& options) {
