@@ -22,12 +22,12 @@ const char* variable_symbol(StateVariable variable) {
   return variable == StateVariable::y ? "y" : "y'";
 }
 
-// Returns the value at x of the B-spline of a smooth bin, without the factor of the integral 1.
+// Returns the value at x of the cubic B-spline of a smooth bin, without the factor for integral 1.
 double bin_spline_value(const SmoothBin& bin, double x) {
   if (x <= bin.knots.front() || x >= bin.knots.back()) return 0;
   const numerics::SplineBasis basis({bin.knots.begin(), bin.knots.end()}, 3);
   const int span = basis.knot_span_containing(x);
-  // The B-spline on all five knots has the index 3.
+  // The B-spline whose support contains all five knots has the index 3.
   return basis.basis_derivatives(x, span, 0)(0, 3 - span);
 }
 
@@ -131,8 +131,8 @@ numerics::BernsteinCoefficients enclose_bin_spline(const SmoothBin& bin,
       slope = std::max(slope, magnitude(d));
     slope = (slope / numerics::Interval((to - from).lower())).upper();
   }
-  // The error bound is the bound of basis_functions_on_piece(), with |f'| <= 3 / shortest knot
-  // interval.
+  // The error bound of the polynomial equals that of basis_functions_on_piece(), with |f'| <= 3 /
+  // shortest knot interval.
   if (overhang > 0) {
     const double error = (overhang * (slope + 3.1 / numerics::Interval(shortest))).upper();
     for (numerics::Interval& c : b) c += numerics::symmetric_interval(error);

@@ -36,7 +36,7 @@ bool is_narrow_enough(const FunctionalBounds& bound, const BoundsOptions& option
   return requested > 0 && bound.enclosure.half_width() <= requested;
 }
 
-// Reason why the refinement of the grids stopped for a functional.
+// Reason why the refinement of the spline grids stopped for a functional.
 struct RefinementStopReason {
   enum class Cause {
     none,         // the refinement continues, or the bounds have the requested half-width
@@ -49,7 +49,7 @@ struct RefinementStopReason {
   std::string error_message{};
 };
 
-// The next grid of a functional in its sequence of grids.
+// Next spline grid of a functional in its sequence of grids from coarse to fine.
 struct NextRefinementGrid {
   std::size_t level = 0;
   bool skips_a_grid = false;    // whether the grid before this grid was not computed
@@ -63,13 +63,14 @@ struct GridRefinement {
   std::vector<NextRefinementGrid> next_grids;      // one element for each functional
 };
 
-// Returns the grid after the grid `last`. The second grid is skipped if the requested half-width
-// probably requires the third grid and the time suffices for the third grid. Finer grids are not
-// skipped, since each of the finest grids gives the narrowest bounds of some functional.
+// Returns the grid after the grid `last`. The second spline grid is skipped if the requested
+// half-width probably requires the third grid and the time suffices for the third grid. Spline
+// grids after the third are not skipped, since each of the finest grids gives the narrowest bounds
+// of some functional.
 NextRefinementGrid select_next_grid(const NextRefinementGrid& last, double last_seconds,
                                     const FunctionalBounds& bound, const BoundsOptions& options,
                                     double seconds_left) {
-  // Ratio of the half-widths of successive grids, which is 2 to 5 in the cases of the paper
+  // Ratio of the half-widths of the bounds on successive spline grids, about 2 to 5 in cases 1 to 4
   constexpr double kWidthRatio = 3;
   const double requested = requested_half_width(bound, options);
   const double seconds = kMaxGridTimeRatio * last_seconds;
@@ -82,15 +83,15 @@ NextRefinementGrid select_next_grid(const NextRefinementGrid& last, double last_
 
 using FunctionalIndices = std::vector<std::size_t>;
 
-// A spline grid and the functionals whose bounds are computed next on the grid.
+// A spline grid and the functionals whose bounds are computed next on this grid.
 struct SplineGridAndFunctionals {
   SplineGrid grid;
   FunctionalIndices functional_indices;
 };
 
-// Groups the functionals whose bounds are wider than requested. All functionals of a group have the
-// same next grid. Stores a RefinementStopReason for each functional whose grid sequence is
-// exhausted.
+// Groups the functionals whose guaranteed bounds are wider than requested. All functionals of a
+// group have the same next spline grid. Stores a RefinementStopReason for each functional without a
+// further spline grid in its sequence.
 std::vector<SplineGridAndFunctionals> group_by_next_grid(const BoundsOptions& options,
                                                          GridRefinement& refinement) {
   std::vector<SplineGridAndFunctionals> groups;
@@ -138,7 +139,7 @@ bool is_odd(const StationaryFunctional& functional) {
   return mean != nullptr && mean->power % 2 == 1;
 }
 
-// Removes the impact momentum unless the system has exactly one wall.
+// Removes the impact momentum from the functionals unless the system has exactly one wall.
 std::vector<StationaryFunctional> supported_functionals(
     const problem::System& system, std::vector<StationaryFunctional> functionals) {
   if (system.left_wall().has_value() == system.right_wall().has_value()) {
@@ -148,8 +149,8 @@ std::vector<StationaryFunctional> supported_functionals(
   return functionals;
 }
 
-// Computes bounds on finer and finer grids, until every bound has the requested half-width or a
-// stop reason.
+// Computes guaranteed bounds on finer and finer spline grids, until the bounds of every functional
+// have the requested half-width or a stop reason.
 GridRefinement refine_grids(const problem::Problem& problem, const BoundsOptions& options) {
   const ResidualWeightFunctionOfEnergy tau = make_residual_weight(problem, kWeightExponent);
   GridRefinement result;
@@ -202,8 +203,9 @@ GridRefinement refine_grids(const problem::Problem& problem, const BoundsOptions
       for (std::size_t n = 0; n < indices.size(); ++n) {
         FunctionalBounds& bound = result.bounds.functional_bounds[indices[n]];
         bound.enclosure = bound.enclosure.intersection(grid_bounds.enclosures[n]);
-        // The enclosures from two grids both contain the exact expectation. An empty intersection
-        // of the enclosures shows an error of the program or of the rounding of the processor.
+        // The enclosures of an expectation from two spline grids both contain the exact
+        // expectation. If the enclosures of an expectation from two spline grids are disjoint, the
+        // program or the rounding of the processor has an error.
         if (bound.enclosure.lower > bound.enclosure.upper) {
           throw std::logic_error("bounds of " + functional_name(functionals[n]) +
                                  " from two grids are disjoint");
@@ -217,8 +219,7 @@ GridRefinement refine_grids(const problem::Problem& problem, const BoundsOptions
   }
 }
 
-// Computes the bounds of a problem with only a right wall from the mirrored problem, whose only
-// wall is on the left.
+// Computes the bounds of a problem with only a right wall from the mirrored problem.
 GridRefinement refine_grids_of_mirrored_problem(const problem::Problem& problem,
                                                 const BoundsOptions& options) {
   BoundsOptions mirrored_options = options;
@@ -241,7 +242,7 @@ GridRefinement refine_grids_of_mirrored_problem(const problem::Problem& problem,
   return result;
 }
 
-// Returns the names of the functionals whose refinement stopped by the given cause.
+// Returns the names of the functionals whose grid refinement stopped for the given reason.
 std::vector<std::string> functionals_stopped_by(RefinementStopReason::Cause cause,
                                                 const GridRefinement& refinement) {
   std::vector<std::string> names;
@@ -252,7 +253,7 @@ std::vector<std::string> functionals_stopped_by(RefinementStopReason::Cause caus
   return names;
 }
 
-// Returns a message about bounds that are wider than requested, with the cause and an option that
+// Returns a message about bounds that are wider than requested, with the reason and an option that
 // the user can change.
 std::string unmet_width_reason(const GridRefinement& refinement, const BoundsOptions& options) {
   const auto& reasons = refinement.stop_reasons;

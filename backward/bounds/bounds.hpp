@@ -27,38 +27,37 @@ constexpr const auto& enumerator_names(BoundsStatus) { return kBoundsStatusNames
 constexpr std::string_view name(BoundsStatus status) { return base::name_of(status); }
 
 /// A functional of the stationary density with its guaranteed bounds: the exact value of the
-/// functional is at least enclosure.lower and at most enclosure.upper.
+/// functional is between enclosure.lower and enclosure.upper.
 struct FunctionalBounds {
   StationaryFunctional functional;
   numerics::Enclosure enclosure;
 };
 
-/// Bounds that were computed on one spline grid, independently of all other grids.
+/// Guaranteed bounds that were computed on one spline grid, independently of all other grids.
 struct BoundsOnSplineGrid {
   SplineGrid grid;
   int unknown_count;         ///< number of unknown spline coefficients of a certificate
   double computing_seconds;  ///< wall-clock time of the computation on this grid
-  /// Indices in GuaranteedBounds::functional_bounds of the functionals that are bounded on this
-  /// grid
+  /// Indices in GuaranteedBounds::functional_bounds of the functionals bounded on this spline grid
   std::vector<std::size_t> functional_indices;
-  /// Bounds of each functional of `functional_indices`, in the same order
+  /// Guaranteed intervals of the functionals `functional_indices` on this grid, in the same order
   std::vector<numerics::Enclosure> enclosures;
 };
 
-/// Bounds of all functionals of a problem. Each enclosure in `functional_bounds` is the
-/// intersection of the enclosures in `grid_bounds`.
+/// Bounds of all functionals of a problem. The bounds of a functional in `functional_bounds` are
+/// the intersection of its intervals on all spline grids in `grid_bounds`.
 struct GuaranteedBounds {
   BoundsStatus status = BoundsStatus::ok;
   std::string reason;  ///< cause of a status other than ok, in one line; empty for ok
-  /// Bounds of the functionals, in the order of BoundsOptions::functionals. The impact momentum w1
-  /// is omitted unless the oscillator has exactly one wall.
+  /// Guaranteed bounds of the functionals, in the order of BoundsOptions::functionals. The bounds
+  /// of the impact momentum w1 are omitted unless the oscillator has exactly one wall.
   std::vector<FunctionalBounds> functional_bounds;
   std::vector<BoundsOnSplineGrid> grid_bounds;  ///< grids in the order of their computation
 };
 
-/// Computes guaranteed bounds of stationary expectations of the oscillator under impulses
-/// (equation `kf`), with the exact impact condition (impact `map`). The bounds follow from
-/// certificates that approximate solutions of the backward equation (theorem and proof:
+/// Computes guaranteed bounds of stationary expectations of the oscillator under impulses (equation
+/// `kf`), with the exact impact condition (impact `map`). The guaranteed bounds follow from
+/// certificates, which are approximate solutions of the backward equation (theorem and proof:
 /// docs/bounds.md). The bounds hold for the problem whose parameters are exactly the stored
 /// floating-point numbers.
 /// @param problem problem in physical coordinates

@@ -15,11 +15,10 @@ namespace fpkcheck::backward {
 namespace {
 
 constexpr int kPointsPerCell = 4;
-// Relative tolerance of the residual range (docs/bounds.md)
+// Relative tolerance of the computed range of the weighted residual (docs/bounds.md)
 constexpr double kRangeTolerance = 0.03;
 
-// Returns the break points of all integrands that depend on the given variable, in increasing
-// order.
+// Returns the points in increasing order at which integrands of a variable are not smooth.
 std::vector<double> sorted_break_points(StateVariable variable,
                                         const std::vector<StationaryFunctional>& functionals) {
   std::vector<double> points;
@@ -32,14 +31,15 @@ std::vector<double> sorted_break_points(StateVariable variable,
   return points;
 }
 
-// Returns bounds of the mean E[f] of an integrand f from the approximate mean U, the range of the
-// weighted residual inside the box and the bound of its magnitude outside the box: U + least E[tau]
-// <= E[f] <= U + largest E[tau], for least <= 0 <= largest.
+// Returns bounds of the mean E[f] of an integrand f from its approximate mean U and from bounds of
+// the weighted residual inside and outside the box of the splines: The bounds are U + least E[tau]
+// <= E[f] <= U + largest E[tau], with the weight tau and the range least .. largest of the weighted
+// residual.
 numerics::Enclosure enclose_integrand_mean(double approximate_mean,
                                            const BackwardResidualRange& range, double outside,
                                            const ResidualWeightFunctionOfEnergy& weight) {
   const numerics::Interval tau = weight.mean_upper_bound;
-  // If the range of the residual contains NaN or infinity, no bound exists.
+  // If the range of the weighted residual contains NaN or infinity, no bound of the mean exists.
   if (!std::isfinite(range.least) || !std::isfinite(range.largest) || !std::isfinite(outside)) {
     return {-HUGE_VAL, HUGE_VAL};
   }

@@ -9,16 +9,16 @@
 
 namespace fpkcheck::backward {
 
-/// Computing times of the three stages of compute_bounds_on_grid(), and the residuals from which
-/// the bounds follow.
+/// Computing times of the three stages of compute_bounds_on_grid(), and the residuals of the
+/// certificates from which the bounds follow.
 struct SplineGridDiagnostics {
   int unknown_count = 0;         ///< number of unknown spline coefficients of a certificate
   double enclosure_seconds = 0;  ///< wall-clock time to enclose the factors of the generator
   double fit_seconds = 0;        ///< wall-clock time of the least-squares fit of all certificates
   double verification_seconds = 0;  ///< wall-clock time to bound the residuals of all certificates
 
-  /// Weighted residual (f + L V - U)/tau of the certificate V of one functional with the integrand
-  /// f, the approximate mean U and the weight tau (ResidualWeightFunctionOfEnergy).
+  /// Weighted residual (f + L V - U)/tau of the certificate V of a functional with the integrand f,
+  /// the approximate mean U, the weight tau (ResidualWeightFunctionOfEnergy) and the generator L.
   struct FunctionalResidual {
     double approximate_mean;      ///< approximate mean U of the integrand f
     double least_residual;        ///< lower bound of the weighted residual inside the box
@@ -30,8 +30,8 @@ struct SplineGridDiagnostics {
 };
 
 /// Computes guaranteed bounds of functionals from certificates on one spline grid. The certificates
-/// V of all functionals are fitted together by least squares. The residual range of each
-/// certificate gives the bounds U + least E[tau] <= E[f] <= U + largest E[tau].
+/// V of the bounds of all functionals are fitted together by least squares. The residual range of
+/// each certificate gives the bounds U + least E[tau] <= E[f] <= U + largest E[tau].
 /// @param weight weight tau of the residuals
 /// @param threads number of threads, which does not change the bounds
 /// @param diagnostics if not null, receives the computing times and the residuals

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kMaxBisections = 40;
 
-// Sub-box of the product of two pieces, with the Bernstein coefficients of the residual f + L V -
-// U.
+// Rectangle of the phase plane with Bernstein coefficients of the residual f + L V - U of a
+// certificate V.
 struct ResidualPolynomialOnBox {
   numerics::Interval y_from, y_to, v_from, v_to;
   int depth;                                     // number of bisections that produced the sub-box
@@ -71,7 +71,7 @@ GeneratorVelocityFactorSums contract_velocity_factors(const ResidualBoundInputs&
   return result;
 }
 
-// Bisection of boxes until the bounds of the weighted residual are narrow.
+// Bisection of rectangles until the bounds of the weighted residual are narrow.
 class BackwardResidualRangeBisection {
  public:
   BackwardResidualRangeBisection(const ResidualBoundInputs& inputs,
@@ -87,12 +87,13 @@ class BackwardResidualRangeBisection {
 
   const BackwardResidualRange& range() const { return range_; }
 
-  // Bounds the weighted residual on a box, by bisection if the Bernstein coefficients give no
-  // narrow bounds.
+  // Bounds the weighted residual on a rectangle, by bisection if its Bernstein coefficients differ
+  // widely.
   void bound_residual_on_box(ResidualPolynomialOnBox box) {
     ++range_.box_count;
-    // The range of the Bernstein coefficients encloses the residual on the box. The coefficients at
-    // the corners are values of the residual at the corners of the box.
+    // The interval from the smallest to the largest Bernstein coefficient encloses the residual on
+    // a rectangle. The Bernstein coefficients at the corners are values of the residual at the
+    // corners of the rectangle.
     double least = box.coefficients[0].lower(), largest = box.coefficients[0].upper();
     double rounding_error = 0;  // bound of the rounding errors, which bisection does not reduce
     bool is_finite = true;
@@ -128,8 +129,7 @@ class BackwardResidualRangeBisection {
  private:
   static constexpr double kNegligibleResidual = 1e-13;
 
-  // Returns a lower bound of the weight tau on the box: the value of tau at a lower bound of the
-  // energy G.
+  // Returns a lower bound of the weight tau on a rectangle, at a lower bound of the energy G.
   numerics::Interval weight_lower_bound(const ResidualPolynomialOnBox& box) const {
     const numerics::Interval y = hull(box.y_from, box.y_to), v = hull(box.v_from, box.v_to);
     const numerics::Interval w = v + numerics::Interval(inputs_.residual_weight.damping) * y / 2.0;
@@ -143,7 +143,7 @@ class BackwardResidualRangeBisection {
             .lower());
   }
 
-  // Extends the attained range by the values of the weighted residual at the corners of a box.
+  // Extends the attained range by the weighted residual at the corners of a rectangle.
   void extend_attained_range(const ResidualPolynomialOnBox& box) {
     for (const int i : {0, rows_ - 1}) {
       for (const int j : {0, columns_ - 1}) {
@@ -157,9 +157,10 @@ class BackwardResidualRangeBisection {
     }
   }
 
-  // Bisects the box in the direction, y or v, in which the coefficients of the residual vary most.
-  // Every fourth bisection is in the other direction, since the weight tau also varies. Bounds the
-  // residual on both halves.
+  // Bisects the rectangle in the direction, y or v, in which the Bernstein coefficients of the
+  // residual vary most. Every fourth bisection of a rectangle is in the direction of least
+  // variation of the residual, since the weight tau also varies. Bounds the residual on both
+  // halves.
   void bisect_box(const ResidualPolynomialOnBox& box) {
     double along_y = 0, along_v = 0;
     for (int i = 0; i < rows_; ++i) {
@@ -177,8 +178,8 @@ class BackwardResidualRangeBisection {
     ResidualPolynomialOnBox first = box, second = box;
     ++first.depth;
     ++second.depth;
-    // De Casteljau's algorithm at 1/2 gives the coefficients on both halves. The factor 0.5 causes
-    // no rounding errors except for underflow.
+    // De Casteljau's algorithm at 1/2 gives the Bernstein coefficients on both halves of a
+    // rectangle. The factor 0.5 of the algorithm causes no rounding errors except for underflow.
     const int lines = bisects_y ? columns_ : rows_, n = bisects_y ? rows_ : columns_;
     const int line_step = bisects_y ? 1 : columns_, step = bisects_y ? columns_ : 1;
     for (int line = 0; line < lines; ++line) {
@@ -202,7 +203,7 @@ class BackwardResidualRangeBisection {
   const ResidualBoundInputs& inputs_;
   int rows_, columns_;
   double tolerance_;
-  // Smallest and largest attained value of the weighted residual, initially the expected range
+  // Smallest and largest attained value of the weighted residual, at first the expected range
   std::pair<double, double> attained_range_;
   numerics::Interval reduced_stiffness_;  // k - c^2/4
   BackwardResidualRange range_;
@@ -217,8 +218,7 @@ BackwardResidualRange enclose_residual_range(const ResidualBoundInputs& inputs,
                                              double tolerance) {
   assert(std::fegetround() == FE_UPWARD);
   const Eigen::MatrixXd& c = certificate.spline_coefficients;
-  // The proof requires the impact condition (1) of docs/bounds.md, which the fit does not
-  // guarantee.
+  // The bounds require the impact condition (1) of docs/bounds.md, which the fit may violate.
   const auto satisfies_impact_condition = [&](Eigen::Index row) {
     for (int b = 0; b < inputs.velocity_basis.size(); ++b) {
       if (c(row, b) != c(row, inputs.velocity_basis.basis_index_after_impact(b))) return false;

@@ -12,7 +12,7 @@ namespace fpkcheck::backward {
 namespace {
 
 // Returns an upper bound of the moment E[G^(n/2)] of the energy G from upper bounds of the moments
-// E[G^j] of integer power j. For odd n = 2j + 1, E[G^(j+1/2)]^2 <= E[G^j] E[G^(j+1)].
+// E[G^j] with integers j. For odd n = 2j + 1, E[G^(j+1/2)]^2 <= E[G^j] E[G^(j+1)].
 numerics::Interval half_power_bound(const std::vector<numerics::Interval>& bounds, int n) {
   if (n % 2 == 0) return bounds[n / 2];
   return sqrt(bounds[n / 2] * bounds[n / 2 + 1]);
@@ -28,19 +28,19 @@ std::vector<numerics::Interval> enclose_energy_moment_bounds(const problem::Prob
                                                              int highest_power) {
   const numerics::Interval rate = problem.impulses.arrival_rate(),
                            damping = problem.system.damping();
-  // Upper bounds of the amplitude moments |E[Y^n]|
+  // Upper bounds of the moments E[|Y|^n] of the impulse amplitude Y
   std::vector<numerics::Interval> amplitude_moments(2 * highest_power + 1);
   for (int n = 0; n <= 2 * highest_power; ++n) {
     amplitude_moments[n] = magnitude(enclose_amplitude_moment(problem.impulses.amplitude_law(), n));
   }
-  // An impulse Y changes the energy G to G + w Y + Y^2/2, w = v + c y/2, |w| <= sqrt(2G). Hence the
-  // moments of G satisfy
+  // An impulse Y changes the energy G to G + w Y + Y^2/2, where w = v + c y/2 with damping c, and
+  // |w| <= sqrt(2G). Hence the moments of the energy G satisfy
   //
   //   j c E[G^j] <= lambda sum_{(i,l) != (0,0)} j!/(i! l! (j-i-l)!) 2^(i/2-l) |E[Y^(i+2l)]|
   //                        E[G^(j-i/2-l)].
   //
-  // The term of the sum with i = 1 and l = 0 contains E[G^(j-1/2)] <= sqrt(M_{j-1} E[G^j]), which
-  // gives a quadratic inequality for sqrt(E[G^j]).
+  // The term of the sum with i = 1 and l = 0 contains E[G^(j-1/2)] <= sqrt(M_{j-1} E[G^j]) with the
+  // bound M_{j-1} of E[G^(j-1)], which gives a quadratic inequality for sqrt(E[G^j]).
   std::vector<numerics::Interval> bounds{numerics::Interval(1)};
   for (int j = 1; j <= highest_power; ++j) {
     numerics::Interval constant = 0, linear = 0;

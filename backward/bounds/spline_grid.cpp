@@ -9,8 +9,8 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Argument `finest` of numerics::graded_break_points as a fraction of the extent of y, for a basis
-// that does not begin at y = 0 or ends at a wall
+// Argument `finest` of numerics::graded_break_points as a fraction of the extent of y, for splines
+// that do not begin at y = 0 or end at a wall
 constexpr double kFinestFractionWithOtherWalls = 3e-2;
 
 }  // namespace
@@ -18,7 +18,7 @@ constexpr double kFinestFractionWithOtherWalls = 3e-2;
 numerics::SplineBasis make_displacement_spline_basis(const SplineGrid& grid,
                                                      const ResidualWeightFunctionOfEnergy& weight,
                                                      const problem::System& system) {
-  // The end y of the box satisfies (k - c^2/4) y^2/2 + mu y^4/4 = edge_energy h0.
+  // The splines of y end where (k - c^2/4) y^2/2 + mu y^4/4 = edge_energy h0, with energy scale h0.
   const double a = weight.cubic_stiffness / 4,
                b = (weight.stiffness - weight.damping * weight.damping / 4) / 2;
   const double energy = grid.edge_energy * weight.energy_scale;
@@ -29,8 +29,8 @@ numerics::SplineBasis make_displacement_spline_basis(const SplineGrid& grid,
     return numerics::SplineBasis(numerics::graded_break_points(
         y, grid.y_cell_count, grid.finest_fraction * y, grid.uniform_from_fraction * y));
   }
-  // The certificate V is not smooth across the orbits that graze a wall. The widths of the cells
-  // vary little, since the grazing orbits cross the whole phase plane.
+  // The certificate V is not smooth across the orbits that graze a wall (with velocity 0). The
+  // widths of the spline cells vary little, since the grazing orbits cross the whole phase plane.
   const double width = end - begin;
   const int cells = static_cast<int>(std::ceil(grid.y_cell_count * std::max(0.5, width / y)));
   std::vector<double> breaks = numerics::graded_break_points(
@@ -58,9 +58,9 @@ DisplacementBoundaryTypes find_displacement_end_types(
 ImpactSplineBasis make_velocity_spline_basis(const SplineGrid& grid,
                                              const ResidualWeightFunctionOfEnergy& weight,
                                              double restitution) {
-  // Without impact losses the edge of the box is at v = -u, where v^2/2 = edge_energy h0. Impact
-  // losses require a larger u, since the energy G must also be large at the outgoing edge v = r u
-  // of the box.
+  // Without impact losses the splines of the velocity v end at v = -u, where v^2/2 = edge_energy
+  // h0, with energy scale h0. Impact losses require splines up to a larger impact speed u, since
+  // the energy G must also be large at the velocity v = r u after the impact.
   const double u =
       std::sqrt(2 * grid.edge_energy * weight.energy_scale) / std::pow(restitution, 0.85);
   return ImpactSplineBasis(
@@ -77,23 +77,23 @@ BoundWidthLimitingFeature bound_width_limiting_feature(const StationaryFunctiona
 }
 
 std::span<const SplineGrid> spline_grid_sequence(BoundWidthLimitingFeature feature) {
-  // The certificate V has a conical point at the origin. Smaller cells at the origin reduce the
-  // error as long as the error from the cells at the origin dominates. On finer grids than the last
-  // grid of this list, rounding in the normal equations loses more accuracy than smaller cells
-  // gain.
+  // The certificate V has a conical point at the origin of the phase plane. Smaller spline cells at
+  // the origin reduce the error of V as long as the error from the cells at the origin dominates.
+  // On finer spline grids than those of this list, rounding in the normal equations loses more
+  // accuracy than smaller cells gain.
   static constexpr SplineGrid kConicalPointGrids[] = {
       {16, 16, 3e-3, 0.3, 7},   {22, 22, 1e-3, 0.2, 7.5},    {28, 28, 3e-4, 0.2, 8},
       {40, 40, 6e-5, 0.2, 8},   {56, 56, 1.5e-5, 0.15, 8.5}, {64, 64, 6e-6, 0.15, 8},
       {72, 72, 2.5e-6, 0.15, 8}};
-  // For moments of powers above 2 the normal equations lose digits already on coarser grids than
-  // for lower powers. The last grids of this list therefore have wider cells at the origin and a
-  // larger box than the last grids of kConicalPointGrids.
+  // For moments of powers above 2 the normal equations lose digits already on coarser spline grids
+  // than for the powers 1 and 2. The last spline grids for moments of powers above 2 therefore have
+  // wider cells at the origin and a larger box than the last grids of kConicalPointGrids.
   static constexpr SplineGrid kTailGrids[] = {kConicalPointGrids[0],    kConicalPointGrids[1],
                                               kConicalPointGrids[2],    kConicalPointGrids[3],
                                               kConicalPointGrids[4],    {56, 56, 6e-5, 0.1, 9.5},
                                               {64, 64, 3e-5, 0.12, 9.5}};
-  // The flow transports the knots of a smooth bin through the whole phase plane, therefore the
-  // widths of the cells vary little.
+  // The motion transports the knots of a smooth bin through the whole phase plane, therefore the
+  // widths of the spline cells vary little.
   static constexpr SplineGrid kBinKnotGrids[] = {{20, 28, 3e-2, 0.1, 6},
                                                  {28, 40, 3e-2, 0.1, 6},
                                                  {36, 50, 3e-2, 0.1, 6},
