@@ -16,44 +16,46 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Extents of the splines in y and v, in units of the extents of MotionScales
+// Extents of the splines in y and v, in units of the ranges of the motion in MotionScales
 constexpr double kBoxFactorY = 9.0 / 7, kBoxFactorV = 1.5;
 constexpr double kUniformFraction = 0.55;  // fraction of the extent that has uniform cells
 constexpr double kMinCellRatio = 0.05;     // width of the narrowest cell relative to a uniform cell
-// Width of the narrowest cell of y relative to a uniform cell, if white noise and impact losses
-// cause a spike of the density at the wall, with a width of v^3 / D
+// Width of the narrowest cell of y relative to a uniform cell, if white noise D and impact losses
+// cause a narrow peak of the density at the wall, with a width of v^3 / D
 constexpr double kMinSpikeCellRatio = 0.002;
 constexpr double kCellGrowth = 0.25;  // increase of the cell width per distance from a narrow cell
 constexpr int kCornerKnots = 3;       // multiplicity of the knot at v = 0 with a wall
 constexpr double kWeightTemperature = 2;  // temperature T of the weight, in variances of v
-// Temperature T of the weight with several wells, in variances of v. The slowest mode of the
-// backward equation is nearly constant in each well and varies at the barrier between wells. The
-// magnitude of this mode in a solution is the exchange time between the wells, exp(barrier / T).
-// With a weight that decreases more slowly than the density, the residual on the barrier adds more
-// to the weighted sum of squares than wrong means in the wells. The fit then omits the slowest
-// mode. Of 30 random problems the fit contains the slowest mode in 14 at temperature 2 and in 18 at
-// temperature 0.7 (RandomWells in tests/backward/residual). In ten of the 30 problems the
-// unresolved residual is nearly constant for temperatures 0.5 to 0.7, and larger at temperatures 1
-// and 2.
+// Temperature T of the fit weight exp(-energy/T) for potentials with several wells, in variances of
+// v. The slowest mode of the backward equation is nearly constant in each potential well and varies
+// at the barrier between wells. The magnitude of the slowest mode in a backward solution is the
+// transition time between the wells, of the order exp(barrier / T). If the weight decreases more
+// slowly than the density, the residual on the barrier adds more to the weighted sum of squares
+// than wrong means in the wells. The fit then omits the slowest mode. Of 30 random problems with
+// wells the fit contains the slowest mode in 14 at temperature 2 and in 18 at temperature 0.7
+// (RandomWells in tests/backward/residual). In ten of the 30 random problems with wells the
+// residual is nearly constant for temperatures 0.5 to 0.7, and larger at temperatures 1 and 2.
 constexpr double kWellWeightTemperature = 0.7;
 constexpr double kNegligibleRatio = 1e-9;  // value relative to a maximum that is negligible
 
-// Ends of the cells of equal width for a nearly Gaussian density, as fractions of the extents of
-// MotionScales, which are seven standard deviations. Outside these ends the widths increase
-// geometrically. With cells from cell_width_function() the standard errors of E[y^2], E[y'] and
-// p(y) were larger than with these cells (`ctest -R baselines.case2`).
+// Ends of the spline cells of equal width for a nearly Gaussian density, as fractions of the
+// extents of MotionScales, which are seven standard deviations. Outside the cells of equal width
+// the widths of the spline cells increase geometrically. With other cells (cell_width_function())
+// the standard errors of E[y^2], E[y'] and p(y) were larger than with cells of geometrically
+// increasing width (`ctest -R baselines.case2`).
 constexpr double kGaussianUniformFractionY = 5.0 / 7, kGaussianUniformFractionV = 6.0 / 7;
-// Ends of the cells of equal width for SplineCellWidthDistribution::equal, as fractions of the
-// extents. The control function h may be inaccurate where only few samples fall. With 64 x 100
-// cells the L1 error of p(y) in case 1 is half of the L1 error with the fractions above.
+// Ends of the spline cells of equal width for SplineCellWidthDistribution::equal, as fractions of
+// the extents of the motion. The control function h may be inaccurate where the simulation has few
+// samples. With 64 x 100 spline cells these fractions halve the L1 error of p(y) in case 1,
+// compared with the fractions for a nearly Gaussian density.
 constexpr double kSimulationUniformFraction = 4.0 / 7;
-// Number of cells of decreasing width towards the wall and towards v = 0
+// Number of spline cells of decreasing width towards the wall and towards v = 0
 constexpr int kGradedCells = 12;
-// Static deflection above which the motion is off the wall, in standard deviations of y
+// Static deflection, in standard deviations of y, above which the motion does not reach the wall
 constexpr double kOffWallDeflection = 4;
 
-/// Returns break points from `begin` to `end`. The width of a cell is proportional to the value of
-/// `width` in the cell.
+/// Returns break points of splines from `begin` to `end`. The width of a spline cell is
+/// proportional to the value of the function `width` in the cell.
 std::vector<double> breaks_by_width(double begin, double end, int cells,
                                     const std::function<double(double)>& width) {
   constexpr int kSteps = 4000;
@@ -75,9 +77,9 @@ std::vector<double> breaks_by_width(double begin, double end, int cells,
   return breaks;
 }
 
-/// Returns the cell width as a function of position. The width is `uniform_width` between `low` and
-/// `high`, increases outside the interval [low, high], and decreases towards the points
-/// `narrow_positions`, where the width is min_ratio * uniform_width.
+/// Returns the width of the spline cells as a function of position. The cell width is
+/// `uniform_width` between `low` and `high`, increases outside of [low, high], and decreases near
+/// the points `narrow_positions` to min_ratio * uniform_width.
 std::function<double(double)> cell_width_function(std::vector<double> narrow_positions,
                                                   double uniform_width, double low, double high,
                                                   double min_ratio = kMinCellRatio) {
@@ -91,8 +93,8 @@ std::function<double(double)> cell_width_function(std::vector<double> narrow_pos
   };
 }
 
-/// Returns the largest magnitude of an amplitude that is not negligible: an atom, or an amplitude
-/// at which the density times the standard deviation of the law exceeds 1e-9.
+/// Returns the largest magnitude of a non-negligible impulse amplitude: an atom, or an amplitude at
+/// which the density times the standard deviation of the law exceeds 1e-9.
 double largest_relevant_amplitude(const problem::ImpulseTrain& impulses) {
   if (!impulses.is_acting()) return 0;
   double largest = 0;
@@ -115,10 +117,9 @@ double largest_relevant_amplitude(const problem::ImpulseTrain& impulses) {
   return largest;
 }
 
-/// Returns a factor >= 1 by which the ranges of y and v are widened to contain the velocity after
-/// the largest impulse.
+/// Returns a factor >= 1 by which the ranges of y and v are widened to contain the largest impulse.
 double range_widening(const problem::Problem& problem, const problem::MotionScales& scales) {
-  // Velocity before the largest impulse, in standard deviations of v
+  // Velocity before the largest impulse, in standard deviations of the velocity v
   constexpr double kInitialVelocity = 2;
   const double after =
       kInitialVelocity * scales.velocity_deviation + largest_relevant_amplitude(problem.impulses);

@@ -6,23 +6,23 @@
 
 namespace fpkcheck::backward {
 
-/// Numbers of spline cells of the control functions along y and along v.
+/// Numbers of spline cells of the control functions along displacement y and along velocity v.
 struct ControlVariateCellCounts {
   int y_cells, v_cells;
 };
 
-/// Spline bases A_i(y) and B_j(v) of the control functions h = sum_ij h_ij A_i(y) B_j(v).
+/// Splines A_i(y) and B_j(v) of the control functions h = sum_ij h_ij A_i(y) B_j(v).
 struct ControlVariateSplines {
   numerics::QuinticBSplines y_splines, v_splines;
 };
 
-/// Distribution of the cell widths along y and along v.
+/// Distribution of the widths of the spline cells along y and along v.
 enum class SplineCellWidthDistribution {
-  /// Cells of equal width where the density is large, for the control functions of the simulation
+  /// Spline cells of equal width where the density is large, for control functions of simulations
   /// @pre problem::has_equivalent_linearisation()
   equal,
-  /// Cells whose widths decrease towards walls and, with walls, towards v = 0, for the residuals of
-  /// densities. Errors of densities concentrate at slow impacts and where the motion has decayed.
+  /// Spline cells whose widths decrease towards walls and, with walls, towards v = 0, for the
+  /// residuals of densities. Errors of densities concentrate at slow impacts and near rest.
   narrower_at_walls
 };
 
@@ -33,10 +33,8 @@ enum class SplineCellWidthDistribution {
 /// - The range of v extends to 1.5 times the velocity where the energy-averaged density is
 ///   exp(-7^2/2) of its peak.
 /// - The ranges of y and v are widened if a single impulse moves the oscillator out of the ranges.
-/// - The cells have about equal widths where the density is large and are wider towards an open
-///   end.
-/// - With walls the knot at v = 0 is triple, since grazing impacts cause a corner of the control
-///   function h at v = 0.
+/// - The cells have about equal widths where the density is large, and widen towards an open end.
+/// - With walls the knot at v = 0 is triple, since grazing impacts cause a corner of h.
 /// @param cells numbers of cells; without a left wall y has twice the given number of cells
 ControlVariateSplines make_control_splines(const problem::Problem& problem,
                                            const ControlVariateCellCounts& cells,

@@ -20,7 +20,7 @@ void apply_weight(numerics::QuadratureRule& q, const std::function<double(double
   }
 }
 
-/// Gram matrix of the weighted inner products <factor a, factor b>, for each pair of factors.
+/// Gram matrices of the weighted inner products of generator factors, one for each pair of factors.
 using GramMatrices = std::vector<std::vector<Eigen::MatrixXd>>;
 
 GramMatrices gram_matrices(const GeneratorFactors& factors, const Eigen::VectorXd& weights) {
@@ -44,8 +44,8 @@ Eigen::VectorXd values_at_points(const std::vector<double>& points,
   return values;
 }
 
-/// Returns the Gram matrix int u w(wall, u) J J^T du of the jumps at impacts, J_j(u) = B_j(r u) -
-/// B_j(-u), mirrored at a right wall.
+/// Returns the Gram matrix int u w(wall, u) J J^T du of the jumps J_j(u) = B_j(r u) - B_j(-u) of
+/// the splines at impacts, mirrored at a right wall.
 Eigen::MatrixXd wall_jump_gram_matrix(const ControlVariateFitProblem& p,
                                       const WallWithRestitution& wall) {
   numerics::QuadratureRule q =
@@ -70,7 +70,7 @@ numerics::BlockBandedMatrix control_normal_matrix(const ControlVariateFitProblem
       }
     }
   }
-  // At a wall only one spline of y is nonzero, with the value 1.
+  // At a wall only one spline of y is nonzero, and its value is 1.
   for (const WallWithRestitution& wall : walls_with_restitution(p.problem.system)) {
     const int at = wall.rebound_sign > 0 ? 0 : p.y_splines.size() - 1;
     matrix.block(at, at) += p.wall_jump_weight * wall_jump_gram_matrix(p, wall);
@@ -99,7 +99,7 @@ ControlVariateFunctions fit_control_variate_functions(
                             gram_matrices(v, v_rule.weights)),
       "the control functions");
 
-  // Right-hand sides -<f, L A_i B_j> of the normal equations for each function f, and for the
+  // Right-hand sides -<f, L A_i B_j> of the normal equations for each integrand f, and for the
   // constant 1 in the last column.
   const auto constant_one = [](double) { return 1.0; };
   std::vector<SeparableFunction> all(integrands);
@@ -122,8 +122,9 @@ ControlVariateFunctions fit_control_variate_functions(
   }
   ControlVariateFunctions result;
   result.spline_coefficients = equations.solve(right);
-  // The residual e_f of the fit to f is orthogonal to L h for every spline h. Therefore <e_1, e_f>
-  // = <1, f> + <1, L h_f>, where the last column of -right contains the products <1, L A B>.
+  // The residual e_f of the fit to an integrand f is orthogonal to L h for every spline h.
+  // Therefore the residuals satisfy <e_1, e_f> = <1, f> + <1, L h_f>, where the last column of
+  // -right contains the products <1, L A B>.
   const Eigen::VectorXd products = result.spline_coefficients.transpose() * right.rightCols<1>();
   const double residual_norm_of_one = integrals.back() - products(count - 1);
   for (Eigen::Index f = 0; f + 1 < count; ++f) {

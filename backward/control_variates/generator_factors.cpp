@@ -55,7 +55,7 @@ std::vector<double> impact_speed_breaks(const numerics::QuinticBSplines& splines
     if (0 < speed && speed <= end) breaks.push_back(speed);
   }
   std::ranges::sort(breaks);
-  // At an elastic wall (r = 1) the breaks before and after impacts are at the same speeds.
+  // At an elastic wall (r = 1) the spline breaks before and after impacts are at the same speeds.
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   return breaks;
 }
@@ -112,7 +112,7 @@ namespace {
 
 constexpr unsigned kPointsPerPart = 8;
 
-/// Adds the values of the splines at a point, times a probability, to a row of means.
+/// Adds the values of all splines at a point, times a probability, to means after an impulse.
 void add_weighted_values(const numerics::QuinticBSplines& splines, double at, double probability,
                          Eigen::Ref<Eigen::RowVectorXd> row) {
   const auto functions = splines.values_and_slopes(at);
@@ -121,8 +121,8 @@ void add_weighted_values(const numerics::QuinticBSplines& splines, double at, do
   }
 }
 
-/// Divides the interval [from, to] of velocities at the breaks of the splines, and into parts that
-/// are not longer than `max_length`. Returns the ends of the parts.
+/// Divides the interval [from, to] of velocities at the breaks of the splines, and into parts not
+/// longer than `max_length`. Returns the ends of the parts.
 std::vector<double> ends_of_parts(const numerics::QuinticBSplines& splines, double from, double to,
                                   double max_length) {
   std::vector<double> ends{from};
