@@ -10,13 +10,14 @@ namespace fpkcheck::backward {
 namespace {
 
 constexpr int kMaxSteps = 12;  // largest number of steps of the conjugate gradients
-// Convergence threshold of the product of gradient and preconditioned gradient, relative to the
-// product in the first step. The threshold has the size of rounding errors.
+// Convergence threshold of the conjugate gradients: product of gradient and preconditioned
+// gradient, relative to the product in the first step. The convergence threshold has the size of
+// rounding errors.
 constexpr double kConverged = 1e-20;
 
-// Matrix of the least-squares problem, with one row for each collocation point. The matrix is
-// applied to coefficients of splines as a sum of three terms, products of a factor in y and a
-// factor in v.
+// Matrix of the least-squares problem, with one row for each collocation point of the backward
+// equation. The matrix of the least-squares problem is applied to spline coefficients as a sum of
+// three terms, each the product of a factor in y and a factor in v.
 class CollocationMatrix {
  public:
   explicit CollocationMatrix(const BackwardEquationFitProblem& p)
@@ -44,8 +45,9 @@ class CollocationMatrix {
         problem_.displacement_samples.displacements[i]);
   }
 
-  /// Returns the number of unknowns for each spline of y. With an impact condition at the wall the
-  /// two splines b and basis_index_after_impact(b) of v share one unknown.
+  /// Returns the number of unknown coefficients of the products of each spline of y with the
+  /// splines of v. With an impact condition at the wall, the splines b and
+  /// basis_index_after_impact(b) of v share one unknown coefficient.
   std::vector<Eigen::Index> block_sizes() const {
     std::vector<Eigen::Index> sizes(problem_.displacement_basis.size(), v_functions_);
     for (std::size_t a : {std::size_t{0}, sizes.size() - 1}) {
@@ -59,8 +61,8 @@ class CollocationMatrix {
     const Eigen::SparseMatrix<double>& drift = problem_.velocity_samples.transport;
     Eigen::MatrixXd motion, weighted;
     for (int i = 0; i < y_points(); ++i) {
-      // The generator is L = A M + A' D, where M = impulse_and_damping + g(y) restoring_force and D
-      // = transport.
+      // The generator L maps the spline product A(y) B(v) to A M + A' D, where M =
+      // impulse_and_damping + g(y) restoring_force and D = transport.
       motion = problem_.velocity_samples.impulse_and_damping +
                force(i) * problem_.velocity_samples.restoring_force;
       weighted = weights_.col(i).cwiseSqrt().asDiagonal() * motion;
@@ -87,7 +89,7 @@ class CollocationMatrix {
 
   /// Returns the values L V of the generator applied to a spline V, at all collocation points,
   /// shape (v points, y points).
-  /// @param c coefficients of V, shape (functions of y, functions of v)
+  /// @param c spline coefficients of V, shape (functions of y, functions of v)
   Eigen::MatrixXd apply_generator(const Eigen::MatrixXd& c) const {
     const Eigen::MatrixXd jump = problem_.velocity_samples.impulse_and_damping * c.transpose(),
                           drift = problem_.velocity_samples.transport * c.transpose(),
@@ -104,8 +106,8 @@ class CollocationMatrix {
     return result;
   }
 
-  /// Applies the transpose of apply_generator() with the squared row weights. Returns a vector with
-  /// one element for each unknown of the normal equations.
+  /// Applies the transpose of the matrix of apply_generator() with the squared row weights. Returns
+  /// a vector with one element for each unknown coefficient of the normal equations.
   Eigen::VectorXd apply_weighted_transpose(const Eigen::MatrixXd& residual) const {
     const Eigen::MatrixXd weighted = weights_.cwiseProduct(residual);
     Eigen::MatrixXd value = Eigen::MatrixXd::Zero(v_points(), problem_.displacement_basis.size());
@@ -124,13 +126,12 @@ class CollocationMatrix {
     return unknowns_of_gradient(g);
   }
 
-  /// Returns the inner product of two functions at the collocation points, with the squared row
-  /// weights.
+  /// Inner product of two functions at the collocation points with the squared row weights.
   double weighted_product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) const {
     return (weights_.array() * a.array() * b.array()).sum();
   }
 
-  /// Returns the spline coefficients c_ab for a vector of unknowns.
+  /// Returns the spline coefficients c_ab of V for a vector of unknowns.
   Eigen::MatrixXd coefficients_of_unknowns(const Eigen::VectorXd& x) const {
     const int rows = problem_.displacement_basis.size(),
               centre = problem_.velocity_basis.basis_index_at_zero_velocity();
@@ -150,7 +151,7 @@ class CollocationMatrix {
   }
 
  private:
-  // Returns whether the spline of y with this index has an impact condition.
+  // Returns whether V has an impact condition at the wall where a given spline of y is nonzero.
   bool is_constrained(int row) const {
     return (row == 0 && problem_.has_left_impact_condition) ||
            (row == problem_.displacement_basis.size() - 1 && problem_.has_right_impact_condition);
@@ -173,8 +174,8 @@ class CollocationMatrix {
     return x;
   }
 
-  // Adds the rows of the splines b and basis_index_after_impact(b), which share one unknown. The
-  // row of the spline at v = 0 is added once.
+  // Adds the rows of the splines b and basis_index_after_impact(b) of v, which share one unknown
+  // coefficient. The row of the spline of v that is nonzero at v = 0 is added once.
   Eigen::MatrixXd add_opposite_rows(const Eigen::MatrixXd& g) const {
     Eigen::MatrixXd f = g.bottomRows(constrained_unknowns_);
     f.bottomRows(constrained_unknowns_ - 1) +=
@@ -182,7 +183,7 @@ class CollocationMatrix {
     return f;
   }
 
-  // Adds a block of the normal matrix, for splines `row` and `column` of y.
+  // Adds a block of the normal matrix, for the splines `row` and `column` of y.
   void add_block(numerics::BlockBandedMatrix& matrix, int row, int column,
                  const Eigen::MatrixXd& block) const {
     if (!is_constrained(row) && !is_constrained(column)) {
@@ -202,12 +203,12 @@ class CollocationMatrix {
   Eigen::MatrixXd weights_;  // squared row weights, shape (v points, y points)
 };
 
-/// Minimises the weighted norm |f + L V| by conjugate gradients, preconditioned by the factor of
-/// the normal equations. Three or four steps suffice, except on the finest grids, where rounding
-/// and the ridge degrade the preconditioner. The iteration stops at convergence or when rounding
-/// prevents progress.
+/// Minimises the weighted norm of the residual f + L V by conjugate gradients, preconditioned by
+/// the factor of the normal equations. Three or four steps of conjugate gradients suffice, except
+/// on the finest spline grids, where rounding and the ridge degrade the preconditioner. The
+/// conjugate gradients stop at convergence or when rounding prevents progress.
 /// @param[in,out] residual on input the functions f, on output the residuals f + L V up to rounding
-/// @param[in,out] x on input 0, on output the unknowns of V, one column for each function f
+/// @param[in,out] x on input 0, on output the unknowns of V, one column for each f
 void minimise_residuals(const CollocationMatrix& rows, const NormalEquations& equations,
                         std::vector<Eigen::MatrixXd>& residual, Eigen::MatrixXd& x) {
   Eigen::MatrixXd gradient(x.rows(), x.cols()), direction = x;
@@ -248,7 +249,7 @@ BackwardEquationSolutions fit_backward_equation_solutions(
   const CollocationMatrix rows(fit_problem);
   const NormalEquations equations(rows.normal_matrix(), "the fit");
 
-  // Right-hand sides of the fit: the integrands f and, in the last place, the constant 1
+  // Right-hand sides of the fit: the integrands f and, in the last column, the constant 1
   const std::size_t count = integrands.size() + 1;
   std::vector<Eigen::MatrixXd> f(count);
   for (std::size_t n = 0; n < count; ++n) {
@@ -276,8 +277,8 @@ BackwardEquationSolutions fit_backward_equation_solutions(
                         rows.weighted_product(residual_of_one, residual_of_one);
     solutions.mean_estimates.push_back(mean);
     Eigen::MatrixXd c = rows.coefficients_of_unknowns(x.col(n) - mean * x.rightCols<1>());
-    // The equation L V = U - f determines V only up to a constant, since the generator L maps
-    // constants to 0.
+    // The backward equation L V = U - f determines V only up to a constant, since the generator L
+    // maps constants to 0.
     c.array() -= (c.maxCoeff() + c.minCoeff()) / 2;
     solutions.spline_coefficients.push_back(std::move(c));
     const Eigen::MatrixXd final_residual = residual[n] - mean * residual_of_one;

@@ -1,22 +1,24 @@
-// The Laplace law has the density exp(-|y - m|/s) / (2s) with the scale s. The mean after an
-// impulse is K B(v) = L(v + m) + R(v + m) with
+// The Laplace law of the impulse Y has the density exp(-|y - m|/s) / (2s) with the mean m and the
+// scale s. The mean of a spline B after an impulse is K B(v) = L(v + m) + R(v + m) with
 //
 //     L(z) = int_{-inf}^z B(x) exp(-(z - x)/s) dx/(2s),   s L' = -L + B/2,
 //
-// and R is the mirrored integral over x > z. For the exponential law K B(v) is only one of the
-// integrals, with the weight w = 1 in place of 1/2: R(v + m - s) for an upper tail, L(v + m + s)
-// for a lower tail.
+// and R is the mirrored integral over x > z. For the exponential law the mean K B(v) after an
+// impulse is only one of the integrals L and R, with the weight w = 1 in place of 1/2. The mean of
+// a spline after an impulse is R(v + m - s) for an upper tail of the law, and L(v + m + s) for a
+// lower tail, with the integrals L and R.
 //
-// L is integrated from piece to piece along the velocity axis. Let e be the length of a piece and
-// theta = (z - begin)/e. On the piece L is the sum of two solutions: the homogeneous solution,
-// L(begin) exp(-e theta/s), and the solution that is 0 at theta = 0. Both solutions are power
-// series in theta, whose coefficients q_n satisfy
+// The integral L is computed from piece to piece along the velocity axis. Let e be the length of a
+// piece of the velocity axis, and theta = (z - begin)/e the position z on this piece. On a piece
+// the integral L is the sum of two solutions of s L' = -L + w B: the homogeneous solution L(begin)
+// exp(-e theta/s), and the solution that is 0 at theta = 0. Both solutions are power series in
+// theta, whose coefficients q_n satisfy
 //
 //     q_{n+1} = (e/s) (-q_n + w b_n) / (n + 1)
 //
-// with the coefficients b_n of the power series of B. For n > p, the degree of B, the terms are
-// terms of an exponential series: the remainder of the series after the term n = N - 1 is at most
-// |q_N| exp(e/s).
+// with the power series coefficients b_n of B. For n above the degree p of the spline B, the terms
+// of the power series are those of an exponential series: the remainder after the term n = N - 1 is
+// at most |q_N| exp(e/s).
 #include <algorithm>
 #include <cmath>
 
@@ -27,17 +29,18 @@ namespace {
 
 constexpr int kSeriesTerms = 16;  // number N of terms of the power series
 
-// Enclosed Bernstein coefficients in theta of the solutions of s L' = -L + w B on a piece.
+// Enclosed Bernstein coefficients of the solutions of s L' = -L + w B on a piece of the v axis.
 struct OdeSolutionsOnVelocityPiece {
   numerics::BernsteinCoefficients homogeneous;  // exp(-e theta/s)
-  // Solution that is 0 at theta = 0, for each function B of the piece
+  // Solution of s L' = -L + w B that is 0 at the beginning of the piece (theta = 0), for each
+  // spline B of the piece
   std::vector<numerics::BernsteinCoefficients> particular;
   numerics::Interval decay;  // factor exp(-e/s) of the homogeneous solution over the whole piece
 };
 
-// Returns the enclosed Bernstein coefficients of a power series, from its first N coefficients q_n
-// and the next coefficient q_N.
-// @param ratio the ratio e/s
+// Returns enclosed Bernstein coefficients of a power series, from its first N coefficients q_n and
+// the next coefficient q_N.
+// @param ratio length e of the piece divided by the scale s of the law
 numerics::BernsteinCoefficients enclose_series(numerics::BernsteinCoefficients powers,
                                                const numerics::Interval& next,
                                                const numerics::Interval& ratio) {
@@ -74,8 +77,8 @@ OdeSolutionsOnVelocityPiece solve_on_piece(
   return solutions;
 }
 
-// Velocity pieces shifted by the offset of the law, in increasing order. Additional pieces lie
-// between the shifted pieces and the ends of the basis.
+// Pieces of the velocity axis shifted by the offset of the law, in increasing order. Additional
+// pieces lie between the shifted pieces and the ends of the splines of v.
 struct ShiftedVelocityPieces {
   std::vector<VelocityAxisPiece> pieces;
   std::size_t first_index = 0;  // index of the first shifted piece, after the additional pieces
@@ -104,13 +107,12 @@ ShiftedVelocityPieces shift_pieces(const ImpactSplineBasis& basis,
   return shifted;
 }
 
-// Weights w of the integral L over velocities below z and of the integral R over velocities above
-// z, where z is the velocity v plus the shift of the law.
+// Weights w of the integral L over velocities below z and of the integral R above z.
 struct OneSidedIntegralWeights {
   double below, above;
 };
 
-// Makes the table of a law with exponential tails of the scale s.
+// Makes the table of the means after an impulse for a law with exponential tails of the scale s.
 PostImpulseMeanTable make_exponential_tail_table(const numerics::Interval& shift, double s,
                                                  const OneSidedIntegralWeights& weights,
                                                  const ImpactSplineBasis& basis,
@@ -124,8 +126,8 @@ PostImpulseMeanTable make_exponential_tail_table(const numerics::Interval& shift
   for (const bool forward : {true, false}) {
     const double weight = forward ? weights.below : weights.above;
     if (weight == 0) continue;
-    // Values of L at the lower end of the axis, or of R at the upper end, for all basis functions.
-    // Beyond the ends every basis function is constant.
+    // Values of the integral L at the lower end of the velocity axis, or of the integral R at the
+    // upper end, for all splines. Beyond the ends of the splines of v every spline is constant.
     std::vector<numerics::Interval> end_values(basis.size(), numerics::Interval(0));
     end_values[forward ? 0 : basis.size() - 1] = weight;
     for (int step = 0; step < count; ++step) {
@@ -159,12 +161,12 @@ PostImpulseMeanTable make_exponential_tail_table(const numerics::Interval& shift
       }
     }
   }
-  // A bound of the error of a spline B on the whole axis also bounds the error of the mean K B
-  // after an impulse.
+  // A bound of the error of a spline B on the whole velocity axis also bounds the error of its mean
+  // K B after an impulse.
   table.remainder_bound =
       (2.0 * (basis.speed_basis().degree() + 1.0) * numerics::Interval(overhang)).upper();
-  // If all shifted pieces are beyond the range of the basis, no pieces connect the shifted pieces
-  // with the range, and no bound is valid.
+  // If all shifted pieces of the velocity axis are beyond the range of the splines of v, no pieces
+  // connect the shifted pieces with this range, and no bound is valid.
   const double range_length = (pieces.back().end - pieces.front().begin).lower();
   if (!(magnitude(shift) < range_length)) table.remainder_bound = HUGE_VAL;
   return table;

@@ -4,12 +4,13 @@
 //     K B(v) = int B(z) phi((z - v - m)/s) dz/s
 //            = sum_{q,k} x^q (h/s)^q/q! (-1)^k (g/s)^k/k! He_{q+k}(D) phi(D) int B y^k dz/s.
 //
-// Truncation errors of the sum, for |V| <= 1, since the basis functions are positive with sum 1:
+// Truncation errors of the sum over q and k, for |V| <= 1, as the splines are positive with sum 1:
 // - sources beyond kSourceRange deviations: P(|Y - m| > kSourceRange s) <= 2
 //   exp(-kSourceRange^2/2);
 // - q >= N: |d^N/dv^N K V| <= s^-N E|He_N| <= s^-N sqrt(N!), so (h/s)^N / sqrt(N!);
-// - k >= K: |He_n phi| <= 0.44 sqrt(n!) (Cramer) and (q+k)! <= 2^(q+k) q! k!. With a = sqrt(2) g/s,
-//   b = sqrt(2) h/s the error is at most 0.44 (2g/s) b^q/sqrt(q!) sum_{k>=K} a^k/sqrt(k!).
+// - k >= K: |He_n phi| <= 0.44 sqrt(n!) (Cramer) and (q+k)! <= 2^(q+k) q! k!. With a = sqrt(2) g/s
+//   and b = sqrt(2) h/s the truncation error is at most 0.44 (2g/s) b^q/sqrt(q!) sum_{k>=K}
+//   a^k/sqrt(k!).
 #include <cmath>
 #include <stdexcept>
 
@@ -32,7 +33,7 @@ numerics::Interval factorial(int n) {
   return f;
 }
 
-// Returns the Bernstein coefficients of degree n in t of the power x^q, x = 2t - 1.
+// Returns the Bernstein coefficients of degree n in t of the power x^q of x = 2t - 1.
 numerics::BernsteinCoefficients bernstein_coefficients_of_power(int q, int n) {
   const numerics::BernsteinCoefficients x{numerics::Interval(-1), numerics::Interval(1)};
   numerics::BernsteinCoefficients b{numerics::Interval(1)};
@@ -41,8 +42,8 @@ numerics::BernsteinCoefficients bernstein_coefficients_of_power(int q, int n) {
 }
 
 // Returns the integrals int_0^1 B_j^p(t) (2t - 1)^k dt of the Bernstein polynomials B_j^p of degree
-// p, shape (p + 1, kSourceMoments). Each integral is the mean of the Bernstein coefficients of the
-// integrand.
+// p, shape (p + 1, kSourceMoments). Each integral of a polynomial over [0, 1] is the mean of its
+// Bernstein coefficients.
 std::vector<std::vector<numerics::Interval>> bernstein_moment_integrals(int p) {
   const numerics::BernsteinCoefficients x{numerics::Interval(-1), numerics::Interval(1)};
   std::vector<std::vector<numerics::Interval>> integrals(
@@ -60,12 +61,12 @@ std::vector<std::vector<numerics::Interval>> bernstein_moment_integrals(int p) {
   return integrals;
 }
 
-// Piece of the velocity z after an impulse, with its contributions to K B.
+// Piece of the axis of the velocity z after an impulse, with its contributions to the means K B.
 struct PostImpulseVelocityPiece {
   numerics::Interval centre;          // z0
   double half_length;                 // g
   std::vector<int> function_indices;  // indices of the functions B that are nonzero on the piece
-  // (-1)^k (g/s)^k/k! int B y^k dz/s, shape (functions of the piece, kSourceMoments)
+  // Integrals (-1)^k (g/s)^k/k! int B y^k dz/s of each spline B, shape (splines, kSourceMoments)
   std::vector<std::vector<numerics::Interval>> moments;
 };
 
@@ -89,8 +90,8 @@ PostImpulseVelocityPiece make_source_piece(
   return source;
 }
 
-// Returns an upper bound of the sum of a^n / sqrt(n!) over n >= first. For a <= 3/4 the ratio of
-// consecutive terms is at most 3/4.
+// Returns an upper bound of the sum of a^n / sqrt(n!) over all n >= first. For a <= 3/4 the ratio
+// of consecutive terms a^n / sqrt(n!) is at most 3/4.
 numerics::Interval root_factorial_tail(const numerics::Interval& a, int first) {
   if (!(a.upper() <= 0.75)) throw std::logic_error("gaussian table: velocity pieces too long");
   return 4.0 * power(a, first) / sqrt(factorial(first));
@@ -105,8 +106,8 @@ PostImpulseMeanTable tabulate_impulse_means(const problem::GaussianLaw& law,
   PostImpulseMeanTable table = make_zero_impulse_mean_table(basis, pieces, kTaylorTerms);
   const auto integrals = bernstein_moment_integrals(basis.speed_basis().degree());
 
-  // The integral over the velocity after an impulse extends beyond the ends of the basis, where the
-  // first or the last basis function is 1.
+  // The integral over the velocity after an impulse extends beyond the ends of the splines of v,
+  // where the first or the last spline is 1.
   std::vector<VelocityAxisPiece> source_pieces(pieces);
   const double source_range = kSourceRange * s + std::abs(law.mean) + s, step = 0.6 * s;
   double widest = 0;
@@ -182,7 +183,8 @@ PostImpulseMeanTable tabulate_impulse_means(const problem::GaussianLaw& law,
 
   const numerics::Interval a = sqrt(numerics::Interval(2)) * largest_g / s,
                            b = sqrt(numerics::Interval(2)) * largest_h / s;
-  // Total length of the source pieces of a target piece, in standard deviations of the law
+  // Total length of the source pieces (velocities after an impulse) of one target piece, in
+  // standard deviations of the impulse law
   const numerics::Interval source_length =
       2.0 * (kSourceRange + 2.0 * (largest_h + 2.0 * largest_g) / s);
   const numerics::Interval moment_truncation =

@@ -23,7 +23,7 @@ namespace {
 
 double midpoint(const numerics::Interval& x) { return enclosure_from_interval(x).midpoint(); }
 
-// Returns the values at t of the Bernstein polynomials of degree n.
+// Returns the values at t of all Bernstein polynomials of degree n.
 std::vector<double> bernstein_values(int n, double t) {
   std::vector<double> b(n + 1, 0.0);
   b[0] = 1;
@@ -34,7 +34,7 @@ std::vector<double> bernstein_values(int n, double t) {
   return b;
 }
 
-// Returns the value of the polynomial with the midpoints of the given coefficients.
+// Returns the value at t of a polynomial with interval midpoints as Bernstein coefficients.
 double evaluate_polynomial(std::span<const numerics::Interval> coefficients,
                            const std::vector<double>& bernstein) {
   double value = 0;
@@ -77,8 +77,8 @@ GeneratorVelocityFactorSamples sample_velocity_factors(
     for (std::size_t l = 0; l < enclosures.function_indices[at].size(); ++l) {
       transport.emplace_back(i, enclosures.function_indices[at][l],
                              evaluate_polynomial(enclosures.transport[at][l], bernstein));
-      // The following entries represent the term (c_l - c_{l-1}) S_l' of the slope of a spline
-      // (GeneratorVelocityFactorEnclosures).
+      // The entries after the first represent the terms (c_l - c_{l-1}) S_l' of the slope of a
+      // spline with coefficients c_l and partial sums S_l.
       if (l == 0) continue;
       const double slope = evaluate_polynomial(enclosures.restoring_force[at][l - 1], bernstein);
       restoring_force.emplace_back(i, enclosures.function_indices[at][l], slope);

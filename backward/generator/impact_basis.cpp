@@ -7,7 +7,7 @@
 namespace fpkcheck::backward {
 namespace {
 
-// Returns the increasing ends in v of a knot span of the impact speed, before or after impacts.
+// Returns the ends in v, in increasing order, of a knot span of the impact speed.
 std::array<numerics::Interval, 2> velocity_span_ends(const ImpactSplineBasis& basis,
                                                      VelocityAxisPart side, int span) {
   const double u0 = basis.speed_basis().breaks()[span], u1 = basis.speed_basis().breaks()[span + 1];
@@ -20,7 +20,8 @@ double segment_midpoint(const numerics::Interval& begin, const numerics::Interva
   return (begin.lower() + end.upper()) / 2;
 }
 
-// Returns an upper bound of |dB_b/dv| over all b and v: p / (shortest knot interval in v).
+// Returns an upper bound of the slope |dB_b/dv| of all splines B_b at all v: degree p / (shortest
+// knot interval in v).
 double slope_bound(const ImpactSplineBasis& basis) {
   const std::span<const double> u = basis.speed_basis().breaks();
   double shortest = u[1] - u[0];
@@ -76,13 +77,13 @@ BasisFunctionsOnVelocityPiece basis_functions_on_piece(const ImpactSplineBasis& 
     }
     slope = (slope * p / numerics::Interval(piece.length().lower())).upper();
   }
-  // At the end of the span the polynomial equals the basis function. On the overhang the polynomial
-  // and the basis function differ by at most the length of the overhang times the sum of the bounds
-  // of the two slopes.
+  // At the end of the knot span the polynomial on the piece equals the spline. On the overhang
+  // beyond the knot span, the polynomial and the spline differ by at most the length of the
+  // overhang times the sum of the bounds of their slopes.
   functions.overhang_error = (numerics::Interval(piece.rounding_overhang) *
                               (numerics::Interval(slope) + slope_bound(basis)))
                                  .upper();
-  // If the lower bound of the length of a piece is not positive, the slope has no bound.
+  // If a piece of the axis may have the length 0, the slope of its polynomial has no bound.
   if (!(piece.length().lower() > 0)) {
     functions.overhang_error = piece.rounding_overhang > 0 ? HUGE_VAL : 0;
   }
@@ -114,8 +115,8 @@ std::vector<double> basis_break_velocities(const ImpactSplineBasis& basis) {
 std::vector<VelocityAxisPiece> divide_velocity_axis(const ImpactSplineBasis& basis,
                                                     std::span<const double> cuts,
                                                     double max_length) {
-  // A cut closer than `negligible` to a knot is omitted: VelocityAxisPiece::overhang covers the
-  // distance between the cut and the knot.
+  // A cut of the velocity axis closer than `negligible` to a knot is omitted: The member
+  // VelocityAxisPiece::overhang covers the distance between the omitted cut and the knot.
   const double negligible = 4e-16 * basis.speed_basis().end();
   std::vector<VelocityAxisPiece> pieces;
   const auto add_span = [&](VelocityAxisPart side, int span) {

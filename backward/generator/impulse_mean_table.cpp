@@ -16,9 +16,9 @@ using problem::LaplaceLaw;
 using problem::TwoPointLaw;
 using problem::UniformLaw;
 
-// Returns the atoms of the law, and the amplitudes at which the density of the law, or the
-// derivative of the density, is discontinuous. A break u of a spline B causes a break of K B at the
-// velocities u minus these amplitudes.
+// Returns the atoms of the impulse law, and the amplitudes at which the density of the law, or the
+// derivative of the density, is discontinuous. A break u of a spline B causes breaks of the mean K
+// B at the velocities u minus the amplitudes of atoms and discontinuities of the law.
 std::vector<double> break_amplitudes(const GaussianLaw&) { return {}; }
 std::vector<double> break_amplitudes(const LaplaceLaw& law) {
   return law.mean == 0 ? std::vector<double>{} : std::vector{law.mean};
@@ -32,15 +32,16 @@ std::vector<double> break_amplitudes(const UniformLaw& law) {
 
 std::vector<double> break_amplitudes(const ExponentialLaw& law) { return {law.mean - law.scale}; }
 
-// Returns the largest length of a piece on which the polynomials of the table are accurate. The
-// length is short compared with the scale of the amplitude density.
+// Returns the largest length of a piece of the velocity axis with accurate tabulated polynomials.
+// The largest length of a piece is small relative to the scale of the amplitude density.
 double max_piece_length(const GaussianLaw& law) { return 0.8 * law.deviation; }
 double max_piece_length(const LaplaceLaw& law) { return 0.6 * law.scale; }
 double max_piece_length(const ExponentialLaw& law) { return 0.6 * std::abs(law.scale); }
 double max_piece_length(const TwoPointLaw& law) { return 2 * law.deviation; }
 double max_piece_length(const UniformLaw& law) { return law.half_width; }
 
-// Returns the central moment E[(Y - E[Y])^n]. For symmetric laws the formulas hold only for even n.
+// Returns the central moment E[(Y - E[Y])^n] of the impulse amplitude Y. For symmetric laws the
+// formulas of central moments hold only for even n.
 numerics::Interval central_moment(const GaussianLaw& law, int n) {
   numerics::Interval m = power(numerics::Interval(law.deviation), n);
   for (int i = n - 1; i > 1; i -= 2) m *= static_cast<double>(i);
@@ -65,7 +66,7 @@ numerics::Interval central_moment(const UniformLaw& law, int n) {
   return power(numerics::Interval(law.half_width), n) / static_cast<double>(n + 1);
 }
 
-// An amplitude law whose means K B and moments have enclosures.
+// An amplitude law whose means K B after an impulse and moments have guaranteed enclosures.
 template <class Law>
 concept LawWithEnclosures = requires(const Law& law, const ImpactSplineBasis& basis) {
   central_moment(law, 0);

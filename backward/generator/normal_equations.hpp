@@ -13,18 +13,18 @@ struct LeastSquaresFitFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Normal equations N x = b of a least-squares fit. The matrix N is scaled to a unit diagonal,
-/// regularised by adding 1e-13 to the diagonal (ridge), and stored as a block-banded Cholesky
-/// factor.
+/// Normal equations N x = b of a least-squares fit with the unknowns x. The matrix N of the normal
+/// equations is scaled to a unit diagonal, regularised by adding 1e-13 to the diagonal (ridge), and
+/// stored as a block-banded Cholesky factor.
 class NormalEquations {
  public:
-  /// Scales and factorises the matrix N.
-  /// @param fit_name name of the fit in the error message, such as "the fit"
-  /// @throws LeastSquaresFitFailure "the normal equations of `fit_name` are not positive definite"
+  /// Scales and factorises the matrix N of the normal equations.
+  /// @param fit_name name of the fit in the error message
+  /// @throws LeastSquaresFitFailure if the normal equations are not positive definite
   NormalEquations(numerics::BlockBandedMatrix matrix, const std::string& fit_name);
 
-  /// Returns the solutions x for the right-hand sides b, both of shape (unknowns, right-hand
-  /// sides).
+  /// Returns the solutions x of the normal equations for the right-hand sides b, both of shape
+  /// (unknowns, right-hand sides).
   Eigen::MatrixXd solve(const Eigen::MatrixXd& right_hand_sides) const;
 
   /// Returns the number of unknowns.

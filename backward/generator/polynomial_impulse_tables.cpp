@@ -1,16 +1,17 @@
-// Tables of the means K B after an impulse for the uniform law and the two-point law. The mean K B
-// of a spline B is a polynomial on each piece: a piece ends at every velocity from which an impulse
-// with an atom of the law, or with an end of the uniform law, leads to a break of B.
+// Tables of the means K B of splines B after an impulse of the uniform law or the two-point law.
+// The mean K B of a spline B is a polynomial on each piece: a piece ends at every velocity from
+// which an atom of the law, or an end of the uniform law, leads to a break of B.
 //
 // Uniform law, Y on (m - h, m + h): K B(v) = (I(v + m + h) - I(v + m - h)) / (2h) with I' = B.
-// Two-point law, Y = m -+ s with probability 1/2 each: K B(v) = (B(v + m - s) + B(v + m + s)) / 2.
+// Two-point law of the impulse Y, where Y = m - s or Y = m + s with probability 1/2 each: K B(v) =
+// (B(v + m - s) + B(v + m + s)) / 2.
 #include "backward/generator/impulse_mean_table.hpp"
 
 namespace fpkcheck::backward {
 namespace {
 
-// Integrals I(v) = int_{-u_max}^v B_b(z) dz of all basis functions. The class stores the values at
-// the beginning of each knot span and at the end of the last knot span.
+// Integrals I(v) = int_{-u_max}^v B_b(z) dz of all splines B_b of v. The class stores the integrals
+// I(v) at the beginning of each knot span and at the end of the last knot span.
 class BasisFunctionIntegrals {
  public:
   explicit BasisFunctionIntegrals(const ImpactSplineBasis& basis) : basis_(basis) {
@@ -27,8 +28,9 @@ class BasisFunctionIntegrals {
     values_at_span_begin_.push_back(sum);
   }
 
-  /// Adds factor * I on the piece to the Bernstein coefficients of each basis function.
-  /// @param coefficients shape (number of basis functions, order)
+  /// Adds factor * I to the Bernstein coefficients of each spline on a piece, where I is the
+  /// integral of the spline.
+  /// @param coefficients shape (number of splines, order)
   /// @return an upper bound of |I - polynomial|
   double add_multiple(const VelocityAxisPiece& piece, const numerics::Interval& factor,
                       std::span<numerics::Interval> coefficients, int order) const {
@@ -39,8 +41,8 @@ class BasisFunctionIntegrals {
       for (int j = 0; j < order; ++j)
         coefficients[b * order + j] += factor * values_at_span_begin_[span_index][b];
     }
-    // The gap extends from the beginning of the knot span to the piece. For a piece below the range
-    // of the basis, the gap extends from the piece to the beginning of the range.
+    // The gap of the integral of a spline extends from the beginning of the knot span to the piece.
+    // For a piece below the range of the splines of v, the gap is from the piece to the range.
     const numerics::Interval begin =
         span_index < static_cast<int>(spans_.size()) ? spans_[span_index].begin : spans_.back().end;
     const VelocityAxisPiece gap{piece.side, piece.knot_span, begin, piece.begin, 0};
@@ -63,13 +65,13 @@ class BasisFunctionIntegrals {
   }
 
  private:
-  // Returns the mean of a polynomial over its segment.
+  // Returns the mean of a polynomial over its segment of the velocity axis.
   static numerics::Interval mean(const numerics::BernsteinCoefficients& b) {
     numerics::Interval sum = 0;
     for (const numerics::Interval& c : b) sum += c;
     return sum / static_cast<double>(b.size());
   }
-  // Returns the position of the knot span of a piece in increasing order of v.
+  // Returns the position of the knot span of a piece among the knot spans in increasing order of v.
   int span_position(const VelocityAxisPiece& piece) const {
     const int count = basis_.speed_basis().break_span_count();
     switch (piece.side) {
@@ -113,7 +115,7 @@ PostImpulseMeanTable tabulate_impulse_means(const problem::UniformLaw& law,
           std::max(error.upper(), (magnitude(factor) * numerics::Interval(piece_error)).upper());
     }
   }
-  // Each of the two shifted integrals depends on the functions of at most two spans.
+  // Each of the shifted integrals of splines depends on splines of at most two knot spans.
   table.remainder_bound = (4.0 * (basis.speed_basis().degree() + 1.0) * error).upper();
   return table;
 }
@@ -139,8 +141,7 @@ PostImpulseMeanTable tabulate_impulse_means(const problem::TwoPointLaw& law,
       }
     }
   }
-  // At each velocity the error affects at most 2 (p + 1) functions, the basis functions of two
-  // spans.
+  // At each velocity the error of the integrals affects <= 2 (p + 1) splines of two knot spans.
   table.remainder_bound =
       (2.0 * (basis.speed_basis().degree() + 1.0) * numerics::Interval(overhang)).upper();
   return table;
