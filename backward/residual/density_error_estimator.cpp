@@ -19,8 +19,8 @@ namespace fpkcheck::backward {
 namespace {
 
 // Weight of the jumps at the wall (ControlVariateFitProblem::wall_jump_weight), in units of the
-// frequency of the motion: the weight for four samples per radian of the motion. The corrected
-// moments hardly depend on this weight.
+// frequency of the motion: the optimal weight for four samples per radian of the motion. The
+// corrected moments hardly depend on the weight of the jumps at the wall.
 constexpr double kWallWeight = 4;
 
 const ControlVariateCellCounts& select_cell_counts(const problem::ProblemFeatures& features) {
@@ -30,15 +30,18 @@ const ControlVariateCellCounts& select_cell_counts(const problem::ProblemFeature
 }
 
 // Assumed ratio of the local relative error of a density to its L1 error, in regions where the fit
-// does not resolve the backward equation. Errors of densities concentrate in such regions.
+// does not resolve the backward equation. Errors of densities concentrate in regions where the fit
+// does not resolve the backward equation.
 constexpr double kErrorConcentration = 10;
 // L1 distance of disjoint densities, which is also the largest error (E_p - E)[e] in units of the
-// unresolved residual
+// residual e of the backward equation
 constexpr double kDisjointL1 = 2;
 
-// Largest well contrast for which an error estimate is stated. The limit is from tests with random
-// problems with wells (RandomWells in tests/backward/residual), in which the well probabilities had
-// an error d. At contrasts above 0.65 the error estimate was below the exact L1 error 2 d.
+// Largest well contrast (dependence of residuals on well probabilities) for which an error estimate
+// is stated. The limit of the contrast is from random problems with wells (RandomWells in
+// tests/backward/residual), in which the well probabilities had an error d. At well contrasts above
+// 0.65 the error estimate was below the exact L1 error 2 d, with the error d of the well
+// probabilities.
 constexpr double kMaxWellContrast = 0.5;
 
 /// Returns the L1 error estimate t of a marginal density, the solution of
@@ -46,8 +49,9 @@ constexpr double kMaxWellContrast = 0.5;
 ///     t = dual_weighted_error + min(kErrorConcentration t, kDisjointL1) unresolved_residual
 ///         + well_contrast t.
 ///
-/// An error d <= t/2 of the well probabilities contributes 2 d well_contrast to (E_p - E)[e]. The
-/// estimate is infinite if the residuals do not determine the well probabilities.
+/// An error d <= t/2 of the well probabilities contributes 2 d well_contrast to the unresolved
+/// error (E_p - E)[e]. The L1 error estimate is infinite if the weak residuals do not determine the
+/// well probabilities.
 double total_l1_error(const L1ErrorComponents& error) {
   if (error.well_contrast > kMaxWellContrast) return std::numeric_limits<double>::infinity();
   const double well_factor = 1 - error.well_contrast;
@@ -177,8 +181,8 @@ Eigen::MatrixXd spline_integral_fractions_in_cells(const numerics::QuinticBSplin
       std::ranges::adjacent_find(edges, std::greater_equal<>()) != edges.end()) {
     throw InputError("the cell edges of a map do not increase");
   }
-  // Three Gauss points are exact, since the splines are polynomials of degree 5 between breaks and
-  // edges.
+  // Three Gauss points integrate the splines exactly, since the splines are polynomials of degree 5
+  // between breaks and edges.
   std::vector<double> cuts(splines.breaks());
   std::ranges::copy_if(edges, std::back_inserter(cuts),
                        [&](double x) { return splines.begin() < x && x < splines.end(); });
@@ -193,7 +197,7 @@ Eigen::MatrixXd spline_integral_fractions_in_cells(const numerics::QuinticBSplin
       fractions(cell, b.first + l) += weights(static_cast<Eigen::Index>(n)) * b.value[l];
     }
   }
-  // The integral of a B-spline of degree n is the width of the support divided by n + 1 (de Boor).
+  // The integral of a B-spline of degree n is the width of its support divided by n + 1 (de Boor).
   for (int i = 0; i < splines.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const auto& knots = splines.knots();

@@ -16,7 +16,7 @@ namespace fpkcheck::backward {
 namespace {
 
 constexpr unsigned kGaussPoints = 6;  // number of points of the Gauss rule of a panel
-// Least number of panels of the range of a density that is given as a function
+// Least number of quadrature panels over the range of a density that is given as a function
 constexpr int kPanelsPerRange = 24;
 
 /// Returns the composite Gauss rule on [begin, end], divided at the breaks of the integrands and of
@@ -34,7 +34,7 @@ numerics::QuadratureRule composite_rule(double begin, double end,
   return numerics::composite_gauss_rule<kGaussPoints>(cuts);
 }
 
-/// Returns the quadrature of a density whose samples are cell averages.
+/// Returns the quadrature rule of a density whose samples are cell averages.
 DensityAxisQuadrature quadrature_of_cell_averages(const numerics::QuadratureRule& rule,
                                                   std::span<const double> edges) {
   RowMajorSparseMatrix rows = density_reconstruction_matrix(edges, rule.points);
@@ -42,7 +42,7 @@ DensityAxisQuadrature quadrature_of_cell_averages(const numerics::QuadratureRule
   return {rule.points, std::move(rows)};
 }
 
-/// Returns the quadrature of a density whose samples are values at the points.
+/// Returns the quadrature rule of a density whose samples are values at the quadrature points.
 DensityAxisQuadrature quadrature_of_values(const numerics::QuadratureRule& rule) {
   RowMajorSparseMatrix rows(rule.weights.size(), rule.weights.size());
   rows.setIdentity();
@@ -57,8 +57,8 @@ void require_increasing_edges(std::span<const double> edges, const char* axis) {
   }
 }
 
-/// Range of a density in y. The comparisons of its ends with a wall have a tolerance for rounding
-/// errors.
+/// Range of a density in y. The comparisons of the ends of the density's range with a wall have a
+/// tolerance for rounding errors.
 struct DensityDisplacementRange {
   double low, high;
 
@@ -101,7 +101,7 @@ SampledDensity sample_density_form(const transform::GridDensity& density,
                         .samples = averages,
                         .wall_densities = {}};
   for (const ImpactSpeedBreakpoints& wall : breaks.impact_breaks) {
-    // At a left wall the mirrored cells of v are the cells of the impact speed.
+    // At a left wall the mirrored cells of the velocity v are the cells of the impact speed.
     std::vector<double> edges;
     for (const double edge : v) edges.push_back(-wall.rebound_sign * edge);
     if (wall.rebound_sign > 0) std::ranges::reverse(edges);
@@ -152,8 +152,8 @@ SampledDensity sample_density_form(const transform::SmoothDensity& density,
     DensityAxisQuadrature speeds =
         quadrature_of_values(composite_rule(0, density.v_max, wall.breaks, v_panel_ends));
     Eigen::VectorXd samples = Eigen::VectorXd::Zero(std::ssize(speeds.points));
-    // The position of the wall is clamped to the range of the density. A position outside the range
-    // by a rounding error would give the density 0.
+    // The position of the wall is clamped to the range in y of the density. If rounding put the
+    // wall outside the range of the density, the density at the wall would be 0.
     const double at = std::clamp(wall.wall_position, density.y_min, density.y_max);
     for (Eigen::Index n = 0; y_range.has_end_at(wall) && n < samples.size(); ++n) {
       samples(n) =
@@ -175,7 +175,7 @@ namespace {
 
 constexpr std::ptrdiff_t kStencilEdges = 8;  // number of nodes of a polynomial of degree 7
 
-/// Returns the slopes at x of the Lagrange polynomials whose nodes are the given cell edges.
+/// Returns the slopes at x of the Lagrange polynomials with the given cell edges as nodes.
 std::vector<double> lagrange_slopes(std::span<const double> edges, double x) {
   std::vector<double> slopes;
   for (std::size_t a = 0; a < edges.size(); ++a) {
@@ -204,8 +204,8 @@ RowMajorSparseMatrix density_reconstruction_matrix(std::span<const double> edges
   for (std::size_t n = 0; n < points.size(); ++n) {
     const double x = points[n];
     if (x < edges.front() || x > edges.back()) continue;
-    // The edges k - 1 and k enclose the cell that contains x. The edges begin .. end - 1 lie on the
-    // same side of 0 as this cell.
+    // The cell edges with the indices k - 1 and k enclose the cell that contains the point x. The
+    // cell edges with the indices begin .. end - 1 lie on the same side of 0 as the point x.
     const auto k = std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(edges, x) - edges.begin(), 1,
                                               std::ssize(edges) - 1);
     const std::ptrdiff_t begin = has_edge_at_zero && k > zero ? zero : 0;
@@ -215,8 +215,8 @@ RowMajorSparseMatrix density_reconstruction_matrix(std::span<const double> edges
     const auto chosen =
         edges.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
     const std::vector<double> slopes = lagrange_slopes(chosen, x);
-    // The cumulative distribution at an edge is the sum of the masses of all cells below the edge.
-    // The slopes of all Lagrange polynomials sum to 0.
+    // The cumulative distribution at a cell edge is the sum of the probabilities of all cells below
+    // the edge. The sum of the slopes of all Lagrange polynomials at a point is 0.
     double sum = 0;
     for (auto a = count - 1; a > 0; --a) {
       const auto at = static_cast<std::size_t>(a);

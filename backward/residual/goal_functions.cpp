@@ -9,7 +9,7 @@ namespace {
 
 double constant_one(double) { return 1; }
 
-/// Returns splines whose cells each consist of two cells of the given splines.
+/// Returns splines each of whose cells consists of two cells of the given splines.
 std::shared_ptr<const numerics::QuinticBSplines> make_coarse_splines(
     const numerics::QuinticBSplines& splines) {
   const auto& breaks = splines.breaks();
@@ -19,7 +19,7 @@ std::shared_ptr<const numerics::QuinticBSplines> make_coarse_splines(
   return std::make_shared<const numerics::QuinticBSplines>(std::move(knots));
 }
 
-/// Returns the smooth bins of an axis as functions.
+/// Returns the smooth bins of an axis as functions of y or v.
 std::vector<std::function<double(double)>> make_bin_functions(
     const numerics::QuinticBSplines& splines) {
   const auto bins = make_coarse_splines(splines);

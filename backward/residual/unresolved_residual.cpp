@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kGaussPointsPerCell = 2;  // number of Gauss points of a cell along one axis
 
-/// Returns the values of a separable function at all pairs of points, shape (points y, points v).
+/// Returns the values of a product of functions of y and of v at all pairs of points, shape (y, v).
 Eigen::MatrixXd evaluate_on_grid(const SeparableFunction& f, std::span<const double> y,
                                  std::span<const double> v) {
   const auto along = [](const std::function<double(double)>& g, std::span<const double> points) {
@@ -37,7 +37,7 @@ Eigen::VectorXd weighted_quadrature_weights(const numerics::QuadratureRule& rule
   return weights;
 }
 
-/// Returns weighted_quadrature_weights() divided by their sum.
+/// Returns the quadrature weights of weighted_quadrature_weights(), divided by their sum.
 Eigen::VectorXd normalised_quadrature_weights(const numerics::QuadratureRule& rule,
                                               const std::function<double(double)>& weight) {
   const Eigen::VectorXd weights = weighted_quadrature_weights(rule, weight);
@@ -62,16 +62,16 @@ std::vector<double> barrier_positions(const problem::Problem& problem,
   return barriers;
 }
 
-/// Returns the matrix that maps values at the points of y to weighted means over each well, shape
-/// (wells, points). Each well extends from barrier to barrier. For a single well the matrix has no
-/// rows.
+/// Returns the matrix that maps values at the points of y to weighted means over each potential
+/// well, shape (wells, points). Each potential well extends from barrier to barrier in y. For a
+/// potential with a single well the matrix of means over wells has no rows.
 Eigen::MatrixXd well_mean_matrix(const problem::Problem& problem,
                                  const numerics::QuadratureRule& rule,
                                  const std::function<double(double)>& weight) {
   if (problem::problem_features(problem).wells < 2) return {};
-  // Fraction of the integral of the fit weight below which a well is omitted. With several wells
-  // the fit weight decreases faster than the density away from its peak, so that an omitted well
-  // has less than 1e-4 of the mass.
+  // Fraction of the integral of the fit weight below which a potential well is omitted. With
+  // several wells the fit weight decreases faster than the density away from its peak, so that an
+  // omitted well has less than 1e-4 of the probability.
   constexpr double kNegligible = 1e-6;
   const std::vector<double> barriers = barrier_positions(problem, rule.points);
   const Eigen::VectorXd weights = weighted_quadrature_weights(rule, weight);

@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t kNodesPerCell = 8;  // number of Gauss points between consecutive breaks of v
 constexpr int kPowers = 5;                // number of powers of a coordinate, 0 .. 4
-// Smallest distance of breaks, relative to the range of v. Closer breaks differ only by rounding.
+// Smallest distance between two breaks of the velocity, relative to the range of v. Closer breaks
+// differ only by rounding.
 constexpr double kMinBreakDistance = 1e-12;
 
 std::vector<double> gauss_nodes(const std::vector<double>& breaks) {
@@ -26,9 +27,9 @@ std::vector<double> gauss_nodes(const std::vector<double>& breaks) {
   return nodes;
 }
 
-/// Returns the breaks of the splines B_j and of the means K B_j after an impulse. Each atom of the
-/// amplitude law, and each corner of the density of the law, shifts the multiple knots, where the
-/// splines have discontinuous derivatives.
+/// Returns the breaks of the splines B_j and of their means K B_j after an impulse. Each atom of
+/// the amplitude law, and each corner of its density, shifts the multiple knots of the splines,
+/// where the splines have discontinuous derivatives.
 std::vector<double> breaks_after_impulse(const numerics::QuinticBSplines& v,
                                          const problem::ImpulseTrain& impulses) {
   std::vector<double> amplitudes;
@@ -74,8 +75,8 @@ Eigen::MatrixXd coordinate_powers(std::span<const double> points, const Coordina
   return powers;
 }
 
-/// Returns the indicator functions of the cells between consecutive breaks, shape (points, breaks -
-/// 1).
+/// Returns the indicator functions of the cells between consecutive breaks at points, shape
+/// (points, breaks - 1).
 Eigen::MatrixXd cell_indicators(std::span<const double> points, const std::vector<double>& breaks) {
   Eigen::MatrixXd one = Eigen::MatrixXd::Zero(std::ssize(points), std::ssize(breaks) - 1);
   for (std::size_t n = 0; n < points.size(); ++n) {
@@ -100,8 +101,8 @@ WeakResidualIntegrator::WeakResidualIntegrator(const problem::Problem& problem,
           spline_means_after_impulse(v_splines_, problem.impulses, gauss_velocities_)) {}
 
 /// Returns the means K B_j of the splines B_j after an impulse, interpolated between the Gauss
-/// points of a cell, where the mean K B_j is smooth. Beyond the ends of the splines the mean is
-/// constant.
+/// points of a cell, where the mean K B_j is smooth. Beyond the ends of the splines the mean K B_j
+/// after an impulse is constant.
 Eigen::MatrixXd WeakResidualIntegrator::interpolate_means_after_impulse(
     std::span<const double> v) const {
   if (!problem_.impulses.is_acting()) return {};
@@ -122,8 +123,8 @@ Eigen::MatrixXd WeakResidualIntegrator::interpolate_means_after_impulse(
   return result;
 }
 
-/// Returns the integrals over the impacts at a wall, int u p(0, -u) [B_j(r u) - B_j(-u)] du,
-/// mirrored at a right wall.
+/// Returns the integrals over the impacts at a wall, int u p(0, -u) [B_j(r u) - B_j(-u)] du, for
+/// all splines B_j, mirrored at a right wall.
 Eigen::RowVectorXd WeakResidualIntegrator::integrate_impact_terms(
     const WallWithRestitution& wall, const SampledWallDensity& wall_density) const {
   const auto& speeds = wall_density.speed_quadrature.points;
@@ -141,7 +142,7 @@ DensityIntegrals WeakResidualIntegrator::integrate_density(
       density,
       {.y_breaks = y_splines_.breaks(), .v_breaks = v_breaks_, .impact_breaks = impact_breaks_});
 
-  // Moments E_p[y^m y'^n] in physical coordinates, before the division by the mass.
+  // Moments E_p[y^m y'^n] of a density in physical coordinates, before normalisation.
   const problem::WallFrame& frame = problem_.frame;
   const Eigen::MatrixXd along_y =
       p.y_quadrature.integrals_of_functions_times_density(
@@ -162,8 +163,8 @@ DensityIntegrals WeakResidualIntegrator::integrate_density(
   const GeneratorFactors v =
       velocity_generator_factors(problem_, v_splines_, p.v_quadrature.points,
                                  interpolate_means_after_impulse(p.v_quadrature.points));
-  // All factors in y have a small support. The means K B_j, which are part of a factor in v, have a
-  // large support.
+  // All factors in y have a small support. The means K B_j of the splines after an impulse, part of
+  // a factor in v of the generator, are nonzero on a large interval.
   const auto integrated_over_y = [&](const Eigen::MatrixXd& functions) -> Eigen::MatrixXd {
     return p.y_quadrature.sparse_integrals_times_density(functions) * p.samples;
   };
@@ -174,8 +175,8 @@ DensityIntegrals WeakResidualIntegrator::integrate_density(
   }
   std::vector<Eigen::VectorXd> impact_fluxes;
   for (std::size_t n = 0; n < walls_.size(); ++n) {
-    // At the left wall the first spline of y is 1, at the right wall the last spline is 1. All
-    // other splines of y are 0 at the wall.
+    // At the left wall the first spline of y has the value 1, at the right wall the last spline of
+    // y. All splines of y other than the first or the last are 0 at the wall.
     residuals.row(walls_[n].rebound_sign > 0 ? 0 : y_splines_.size() - 1) +=
         integrate_impact_terms(walls_[n], p.wall_densities[n]);
     const DensityAxisQuadrature& speeds = p.wall_densities[n].speed_quadrature;
