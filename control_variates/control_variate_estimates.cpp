@@ -21,8 +21,9 @@ mcs::MeanEstimate scale_estimate(const mcs::MeanEstimate& e, double factor) {
   return {e.mean * factor, e.standard_error * factor};
 }
 
-/// Returns the contribution of each stream to the sampling error of each mean. The squares of the
-/// contributions, summed over all streams, give the squared standard error.
+/// Returns the contribution of each stream of the simulation to the sampling error of each mean.
+/// The squared contributions of the streams to the sampling error, summed over all streams, give
+/// the squared standard error.
 Eigen::MatrixXd stream_error_contributions(const Eigen::MatrixXd& values) {
   const auto n = static_cast<double>(values.cols());
   return (values.colwise() - values.rowwise().mean()) / std::sqrt((n - 1) * n);
@@ -34,8 +35,8 @@ mcs::L1SamplingError l1_error_over_bins(const Eigen::MatrixXd& errors) {
   return mcs::l1_sampling_error(bins);
 }
 
-/// @param controlled, plain bin means of each stream with and without control variates, shape
-///   (bins, streams)
+/// @param controlled, plain averages over bins of each stream with and without control variates,
+///   shape (bins, streams)
 SmoothBinAverageEstimates bin_estimates(const transform::SmoothBins& bins,
                                         const Eigen::MatrixXd& controlled,
                                         const Eigen::MatrixXd& plain) {

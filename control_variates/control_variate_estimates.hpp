@@ -31,15 +31,15 @@ struct StationaryFunctionalEstimates {
   double confidence_interval_factor = 0;
 };
 
-/// Returns the mean of L A_i B_j in each stream, including the contribution of impacts, where L is
-/// the generator. The matrix has the shape (functions, streams), with the function A_i B_j in row i
-/// * v.size() + j.
+/// Returns the mean of L A_i B_j in each stream of the simulation, including the contribution of
+/// impacts, where L is the generator and A_i(y) B_j(v) is a product of splines. The matrix has the
+/// shape (functions, streams), with the spline product A_i B_j in row i * v.size() + j.
 Eigen::MatrixXd stream_means_of_generated_splines(
     const ControlVariateSetup& setup, std::span<const mcs::DepositedSumsOfTrajectory> streams);
 
-/// Estimates each functional E[f] by the mean of f + L h with the generator L and the control
-/// variate L h. The estimate is unbiased for every function h. The standard errors are computed
-/// from the differences between streams.
+/// Estimates each expectation E[f] by the sample mean of f + L h with the generator L and the
+/// control variate L h. The estimate of E[f] by the mean of f + L h is unbiased for every function
+/// h. The standard errors are computed from the differences between the streams of the simulation.
 StationaryFunctionalEstimates estimate_functionals(
     const ControlVariateSetup& setup, const Eigen::MatrixXd& generator,
     std::span<const mcs::DepositedSumsOfTrajectory> streams);

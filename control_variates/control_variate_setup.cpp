@@ -15,7 +15,7 @@ namespace {
 // Spacings and extent of the smooth bins, in standard deviations of y and of y'
 constexpr double kYBinSpacing = 0.15, kVBinSpacing = 0.3, kBinExtent = 7;
 constexpr double kLatticePointsPerDeviation = 8;
-// Extension of the velocity lattice beyond the splines, in standard deviations of the impulses.
+// Length of the velocity lattice beyond the splines, in standard deviations of the impulses.
 constexpr double kLatticeExtension = 4;
 
 std::vector<double> lattice_velocities(const mcs::SampleDepositionGrid& grid) {
@@ -101,7 +101,7 @@ DepositionSplineLayout make_deposition_spline_layout(const problem::Problem& pro
   for (const auto& [amplitude, probability] : problem.impulses.amplitude_law().amplitude_atoms()) {
     p.grid.velocity_jumps.push_back({amplitude, probability});
   }
-  // For discrete impulse laws the deposits use `velocity_jumps` instead of the lattice.
+  // For discrete impulse laws the sums are in `velocity_jumps` instead of a velocity lattice.
   if (!p.grid.velocity_jumps.empty()) p.grid.lattice_points = mcs::SampleDepositionGrid::kStencil;
   return p;
 }

@@ -13,11 +13,10 @@ namespace {
 using transform::Solution;
 using transform::StateVariable;
 
-// The arrays transform::kMoments and kMoments list the moments in the same order.
+// The arrays transform::kMoments and control_variates::kMoments list the moments in the same order.
 static_assert(std::size(transform::kMoments) == kMoments.size());
 
-/// Adds the estimates without control variates, which alone depend on the law of the drawn
-/// impulses.
+/// Adds the estimates without control variates; only these depend on the law of drawn impulses.
 void add_plain_metrics(const StationaryFunctionalEstimates& estimates,
                        transform::SolverMetricsBuilder& builder) {
   for (std::size_t k = 0; k < kMoments.size(); ++k) {

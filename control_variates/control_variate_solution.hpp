@@ -19,13 +19,14 @@ struct ControlVariateResult {
   std::vector<double> backward_means;
 };
 
-/// Computes estimates and checks from the deposited sums of a simulation.
+/// Computes estimates with control variates and checks of the simulation from its deposited sums.
 /// @pre the simulation used setup.deposit_layout.grid
 ControlVariateResult estimate_and_check_simulation(const ControlVariateSetup& setup,
                                                    mcs::SimulationResult simulation);
 
-/// Returns the solution with moments and smooth bins estimated by control variates. The estimates
-/// without control variates and the results of the checks become metrics.
+/// Returns the solution whose moments and averages over smooth bins are estimated by control
+/// variates. The estimates without control variates and the results of the checks become metrics of
+/// the solution.
 transform::Solution solution_estimated_by_control_variates(ControlVariateResult&& result);
 
 /// Adds a note to the solution of a simulation without control variates.

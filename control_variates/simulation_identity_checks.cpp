@@ -12,12 +12,12 @@ namespace {
 constexpr double kSignificanceLevel = 1e-4;
 // Quantile of the standard normal law at the two-sided significance level 1e-4.
 constexpr double kNormalQuantile = 3.9;
-// Limit on the errors of the force balance relative to the damping force, larger than the
+// Limit of the errors of the force balance relative to the damping force, larger than the
 // truncation error of the Taylor polynomials of free flights.
 constexpr double kFlightTolerance = 1e-5;
 constexpr double kRounding = 1e-12;
 
-// Sums of the deposits and of the samples over all streams.
+// Sums over all streams of the deposited sums and of the number of samples.
 struct DepositedSumsOverTrajectories {
   double samples = 0, time = 0, impacts = 0;
   std::array<double, mcs::kRecordedMomentPowers.size()> powers{};
@@ -67,8 +67,8 @@ void check_impulses(const problem::ImpulseTrain& train, const DepositedSumsOverT
   if (n == 0) return;
   checks.mean =
       (sums.impulses[1] / n - law.mean()) / (law.amplitude_standard_deviation() / std::sqrt(n));
-  // For impulses with the two amplitudes Y and -Y the square Y^2 has no variance. For such impulses
-  // a rounding error replaces the standard error of the mean of Y^2.
+  // For impulses with the two amplitudes Y and -Y the square Y^2 has no variance. For impulses with
+  // the amplitudes Y and -Y, a rounding error replaces the standard error of the mean of Y^2.
   const double square = law.moment(2), spread = law.moment(4) - square * square;
   const double scale = std::max(std::sqrt(std::max(spread, 0.0) / n), kRounding * square);
   checks.mean_square = (sums.impulses[2] / n - square) / scale;

@@ -13,19 +13,18 @@
 namespace fpkcheck::control_variates {
 namespace {
 
-// Longest flight in the simulation, in radians. With flights of 0.9 rad the error of the flights
-// changes E[y^2] in case 1 by the fraction 6e-9, more than the sampling error with control
-// variates. With flights of 0.5 rad the error of the flights is a hundred times smaller than with
-// 0.9 rad.
+// Longest flight between impulses and impacts in the simulation, in radians of oscillation. Flights
+// of 0.9 rad change E[y^2] in case 1 of the paper by the fraction 6e-9, more than the sampling
+// error with control variates. Flights of 0.5 rad have a hundred times smaller truncation errors
+// than flights of 0.9 rad.
 constexpr double kStep = 0.5;
 
-// Largest memory in bytes of the velocity lattices of all streams.
+// Largest memory in bytes of the velocity lattices of all streams of the simulation.
 constexpr double kMostBytes = 256e6;
 
-// Returns more cells for longer simulations, since the fit of 80 x 176 cells takes as long as the
-// simulation of about 1e7 samples. With checkpoints the number of spline cells does not depend on
-// the simulated time, so that a longer simulation can resume from the checkpoint of a shorter
-// simulation.
+// Returns more spline cells for longer simulations, since the fit of 80 x 176 cells takes as long
+// as the simulation of about 1e7 samples. With checkpoints the number of spline cells does not
+// depend on the simulated time, so that a longer simulation can resume from a checkpoint.
 ControlVariateSplineCellCounts choose_spline_cells(const mcs::SimulationPlan& plan,
                                                    const mcs::SimulationOptions& options) {
   if (!options.checkpoint.empty() || !options.resume.empty()) return {};
@@ -79,8 +78,8 @@ transform::Solution simulate_with_control_variates(const problem::Problem& probl
   const auto policy = simulation.threads == 1 ? std::launch::deferred : std::launch::async;
   auto setup = std::async(
       policy, [&] { return make_control_variate_setup(problem, layout, plan.sampling_interval); });
-  // With one thread the fit precedes the simulation: a stop request during the simulation then does
-  // not wait for the fit.
+  // With one thread the fit of the control variates precedes the simulation: a stop request during
+  // the simulation then does not wait for the fit.
   if (policy == std::launch::deferred) setup.wait();
   if (simulation.progress) {
     simulation.progress = [&](const mcs::SimulationProgress& at) {
@@ -94,8 +93,8 @@ transform::Solution simulate_with_control_variates(const problem::Problem& probl
     solution = std::move(simulated.solution);
   } else {
     try {
-      // Since setup.get() may throw LeastSquaresFitFailure, `simulated` is moved only after
-      // setup.get().
+      // Since setup.get() may throw LeastSquaresFitFailure, the simulation result `simulated` is
+      // moved only after setup.get().
       const ControlVariateSetup fitted = setup.get();
       solution = solution_estimated_by_control_variates(
           estimate_and_check_simulation(fitted, std::move(simulated)));
