@@ -9,8 +9,8 @@ using transform::Solution;
 using transform::StateVariable;
 
 double critical_sampling_l1_distance(double quantile_99) {
-  // Quantiles of |N| for a standard normal N at the probabilities 1 - kAgreementSignificance / 2
-  // and 0.99.
+  // Quantiles of |N| for a standard normal variable N at the probabilities 1 -
+  // kAgreementSignificance / 2 and 0.99.
   constexpr double kQuantileOfLevel = 3.4808, kQuantile99 = 2.5758;
   static_assert(kAgreementSignificance == 1e-3);
   return kQuantileOfLevel / kQuantile99 * quantile_99;

@@ -24,8 +24,8 @@ bool has_marginal_over_bins(const Solution& solution, StateVariable variable,
          });
 }
 
-/// @param sharp, smooth marginal densities over uniform bins and over smooth bins; `smooth` may be
-///        empty
+/// @param sharp marginal densities over uniform bins
+/// @param smooth marginal densities over smooth bins, or an empty list
 /// @param a, b indices in `sharp` and `smooth` of the two compared marginal densities
 /// @param with_sampling_error ids of the solutions with sampling errors over uniform bins
 SolutionPairDistances compare_pair(const std::vector<SolutionMarginalDensity>& sharp,
@@ -45,9 +45,9 @@ SolutionPairDistances compare_pair(const std::vector<SolutionMarginalDensity>& s
                             *transform::find_smooth_bin_estimate(*smooth_reference, variable))};
 }
 
-// Replaces negative densities by 0 in `ok` solutions of discretised equations. Negative densities
-// in `ok` solutions are of the order of the discretisation error, and Solution::min_density states
-// the most negative density.
+// Replaces negative densities by 0 in `ok` solutions of discretised density equations. Negative
+// densities in `ok` solutions are of the order of the discretisation error; Solution::min_density
+// states the most negative density.
 void clip_negative_densities(std::span<const Solution> solutions,
                              std::vector<SolutionMarginalDensity>& marginals) {
   for (auto& [id, variable, marginal] : marginals) {

@@ -11,14 +11,14 @@
 namespace fpkcheck::compare {
 namespace {
 
-// Number of bins: bins of y' are a tenth of a standard deviation wide, and bins of y a twentieth. A
-// marginal density is nearly linear over a bin of such a width.
+// The bins of y' are a tenth of a standard deviation wide, the bins of y a twentieth of a standard
+// deviation. A marginal density is nearly linear over a bin of a tenth of a standard deviation.
 constexpr int kBins = 140;
 constexpr int kDivisions = 3;
 constexpr double kDivisionRatio = 4;
 
-// Returns whether the marginal densities are unbounded at the equilibrium on a wall at 0. The
-// densities are unbounded if the oscillator decays to rest before the next impulse
+// Returns whether the marginal densities are unbounded at the equilibrium on a wall at y = 0. The
+// marginal densities are unbounded if the oscillator decays to rest before the next impulse
 // (problem/equivalent_linearisation.hpp).
 bool has_unbounded_marginals(const problem::Problem& problem, const problem::MotionScales& scales) {
   return problem::has_equivalent_linearisation(problem) &&
@@ -32,9 +32,9 @@ std::vector<double> make_uniform_bins(double from, double to) {
   return edges;
 }
 
-// Returns edges of bins over [0, end], or over [-end, end] if `symmetric`. The edges of symmetric
-// bins come in pairs of exactly equal magnitude. The middle edge of symmetric bins is exactly 0,
-// since p(y, y') at the wall is discontinuous at y' = 0.
+// Returns the edges of bins over [0, end], or over [-end, end] if `symmetric`. The edges of
+// symmetric bins are pairs of exactly opposite numbers. The middle edge of symmetric bins is
+// exactly 0, since p(y, y') at the wall is discontinuous at y' = 0.
 std::vector<double> make_divided_bins(double end, bool symmetric, int divisions) {
   std::vector<double> edges;
   const double width = end * (symmetric ? 2 : 1) / kBins;

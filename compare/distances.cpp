@@ -29,8 +29,8 @@ bool is_finite(const Marginal& m) {
   return std::ranges::all_of(m.density, [](double p) { return std::isfinite(p); });
 }
 
-// Returns the integrand b log(b/a) - b + a of the Kullback-Leibler divergence, with its limits for
-// a = 0 and b = 0.
+// Returns the integrand b log(b/a) - b + a of the Kullback-Leibler divergence of densities b and a,
+// with its limits for a = 0 and b = 0.
 double kullback_leibler_term(double a, double b) {
   if (b == 0) return a;
   return a == 0 ? kInfinity : b * std::log(b / a) - b + a;

@@ -21,9 +21,9 @@ using transform::SolutionRole;
 using transform::StateVariable;
 using transform::Status;
 
-// The tail consists of the two decades of density below the densities that contribute to the L1
-// distance. In the tail, the 95 % intervals of a simulation of the default length are within +-40 %
-// of the density.
+// The tail of a density consists of the two decades below the densities that contribute to the L1
+// distance. In the tail of a density, the 95 % confidence intervals of a simulation of the default
+// length are within +-40 % of the density.
 constexpr double kTailFrom = 1e-5, kTailTo = 1e-3;
 constexpr std::string_view kApproximationSeparator = " + ";
 
@@ -178,8 +178,8 @@ std::vector<std::string> budget_part_names(std::span<const ClosureErrorBudget> b
   std::vector<std::string> names;
   for (const auto& budget : budgets) {
     for (const ErrorBudgetRow* row : budget.existing_budget_rows()) {
-      // A new part name is inserted before the name that follows in its budget row, to keep the
-      // order of the model chain.
+      // The name of a new part of the budget is inserted before the name that follows in the same
+      // budget row, to keep the order of the model chain.
       auto at = names.end();
       for (auto part = row->parts.rbegin(); part != row->parts.rend(); ++part) {
         const auto place = std::ranges::find(names, part->error_budget_part_name());

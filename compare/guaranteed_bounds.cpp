@@ -39,8 +39,7 @@ std::vector<BoundViolation> bound_violations(const GuaranteedBounds& bounds,
       if (bound == nullptr) continue;
       const double value = solution.moments.*moment;
       const double excess = std::max(bound->lower - value, value - bound->upper);
-      // For an external file with only one marginal density, the moments of the other variable are
-      // NaN.
+      // If a density file has only one marginal density, the moments of the other variable are NaN.
       if (!std::isfinite(value) || !(excess > 0)) continue;
       found.push_back({&solution, bound, value, excess, moment_error_estimate(solution, moment)});
     }

@@ -22,7 +22,7 @@ struct GuaranteedBound {
 };
 
 struct GuaranteedBounds {
-  /// Reason why bounds are missing or wider than requested; empty if the bounds are as requested.
+  /// Reason why guaranteed bounds are missing or wider than requested; empty if as requested.
   std::string reason = {};
   double seconds = 0;
   std::vector<GuaranteedBound> each = {};
@@ -31,31 +31,31 @@ struct GuaranteedBounds {
 const GuaranteedBound* find_moment_bound(const GuaranteedBounds& bounds,
                                          double transform::Moments::*moment);
 
-/// A moment of a solution outside the guaranteed bounds of that moment.
+/// A moment of a solution outside the guaranteed bounds of this moment.
 struct BoundViolation {
   const transform::Solution* solution;
   const GuaranteedBound* bound;
   double value;
   double excess;  ///< distance > 0 of the moment from the violated bound
-  /// Error estimate of the moment. For a simulation the estimate is at least
+  /// Error estimate of the moment. For a simulation the error estimate is at least
   /// kContradictionStandardErrors times the standard error of the moment.
   double error_estimate;
 
-  /// A solution of the full problem that violates a bound by more than its error estimate is wrong,
-  /// even with the status `ok`.
+  /// A solution of the full problem whose moment violates a guaranteed bound by more than the error
+  /// estimate is wrong, even with the status `ok`.
   bool exceeds_error_estimate() const { return excess > error_estimate; }
 };
 
-/// Largest difference, in standard errors, that is attributed to sampling errors of a simulation.
+/// Largest deviation of a simulated moment, in standard errors, attributed to sampling errors.
 inline constexpr double kContradictionStandardErrors = 4;
 
 /// Returns all moments outside their guaranteed bounds, for every solution with a density.
 std::vector<BoundViolation> bound_violations(const GuaranteedBounds& bounds,
                                              std::span<const transform::Solution> solutions);
 
-/// Returns the bound violations by solutions of the full problem that exceed the error estimate. A
-/// bound violation beyond the error estimate proves that a solution of the full problem is wrong,
-/// since guaranteed bounds hold for the full problem.
+/// Returns the violations of guaranteed bounds by solutions of the full problem that exceed the
+/// error estimates of the solutions. A violation of a bound beyond the error estimate proves that a
+/// solution of the full problem is wrong, since guaranteed bounds hold for the full problem.
 std::vector<BoundViolation> violations_beyond_error_estimate(
     const GuaranteedBounds& bounds, std::span<const transform::Solution> solutions);
 

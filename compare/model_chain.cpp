@@ -27,8 +27,8 @@ const Marginal* find_marginal(std::span<const SolutionMarginalDensity> marginals
   return nullptr;
 }
 
-/// Builds the chain of models. If a model has no solution, the builder adds the approximations of
-/// this model to the next model of the chain.
+/// Builds the chain of models. If a model of the chain has no solution, the builder adds the
+/// approximations of this model to the next model of the chain.
 class ApproximationChainBuilder {
  public:
   ApproximationChainBuilder(const ComparisonBins& axes, std::span<const Solution> solutions,
@@ -73,7 +73,7 @@ class ApproximationChainBuilder {
   void append_simulation() {
     if (smooth_reference_ == nullptr)
       pending_approximations_.push_back(ModelApproximation::sampling);
-    // Without a solution of a density equation no part of the budget is a discretisation error.
+    // Without a solution of a density equation, no part of the budget is a discretisation error.
     if (nodes_.size() == 1) std::erase(pending_approximations_, ModelApproximation::discretisation);
     for (const auto& s : solutions_) {
       if (s.identity.role != SolutionRole::simulation || s.identity.equation != DensityEquation::kf)
@@ -120,8 +120,8 @@ class ApproximationChainBuilder {
   std::span<const Solution> solutions_;
   std::span<const SolutionMarginalDensity> marginals_;
   StateVariable variable_;
-  /// Smooth reference, whose smooth bins are the bins of all marginal densities; null for uniform
-  /// bins.
+  /// Smooth reference (simulation with control variates), whose smooth bins are the bins of all
+  /// marginal densities; null for uniform bins.
   const Solution* smooth_reference_;
   std::vector<ModelInApproximationChain> nodes_;
   std::vector<ModelApproximation> pending_approximations_;
@@ -138,8 +138,7 @@ std::vector<ModelInApproximationChain> make_model_chain(
   const Marginal* marginal = find_marginal(marginals, closure.id(), variable);
   if (!marginal) return {};
   const DensityEquation equation = closure.identity.equation.value_or(DensityEquation::kf);
-  // A closure with exact reflection of trajectories solves the equation with the impact condition
-  // `map`.
+  // A closure with exact reflection of trajectories is a solution with the impact condition `map`.
   const bool to_first_order = closure.identity.impact == ImpactCondition::delta;
   const ImpactCondition impact = to_first_order ? ImpactCondition::delta : ImpactCondition::map;
   ApproximationChainBuilder chain(axes, solutions, marginals, variable);

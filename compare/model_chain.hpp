@@ -13,26 +13,27 @@
 
 namespace fpkcheck::compare {
 
-/// Suffix that marks the id of the Richardson limit of the grids of a solution: "fd-kf limit".
+/// Suffix in the id of the Richardson limit of a finite-volume solution: "fd-kf limit".
 inline constexpr std::string_view kGridLimitSuffix = " limit";
 
-/// One model in the chain of models from a closure to the reference, in one variable.
+/// One of the increasingly exact models from a closure to the reference, in one variable.
 struct ModelInApproximationChain {
   std::string id;  ///< id of a solution, or "fd-kf limit"
-  /// Approximations of the previous model that this model avoids; empty for the closure.
+  /// Approximations that the previous model makes and this model avoids; empty for the closure.
   std::vector<ModelApproximation> approximations;
   transform::Marginal marginal;
-  /// L1 distance of the model from the Richardson limit of its grids. The distance is 0 for a model
-  /// without a grid, and empty if the Richardson limit is unknown.
+  /// L1 distance of the density of a model from the Richardson limit of its grids. The distance
+  /// from the Richardson limit is 0 for a model without a grid, and empty if the limit is unknown.
   std::optional<double> discretisation_error;
   std::optional<transform::MarginalSamplingErrors> sampling =
       {};  ///< sampling error of a simulation
-  /// Estimates over smooth bins, if the model is the smooth reference; null for other models.
+  /// Estimates over smooth bins, if the model is the simulation that serves as smooth reference;
+  /// null for other models.
   const transform::SmoothBinEstimate* smooth = nullptr;
 };
 
-/// Returns the chain of models from a closure to the reference. Each model avoids one approximation
-/// (right column) of the previous model:
+/// Returns the chain of increasingly exact models from a closure to the reference. Each model
+/// avoids one approximation (right column) of the previous model:
 ///
 ///     closure -> the closure's equation and impact, discretised        closure
 ///             -> the same equation, exact impact                       impact
@@ -41,11 +42,12 @@ struct ModelInApproximationChain {
 ///             -> simulation                                            sampling
 ///
 /// If a simulation has smooth estimates (compare/smooth_reference.hpp), all marginal densities of
-/// the chain are over smooth bins. The distance from the finite-volume solution of the full jump
-/// integral to the simulation is then the measured discretisation error. The chain omits a model
-/// that is missing, not `ok` or equal to the previous model. If a model is omitted, the next model
-/// of the chain takes over its approximations. The last model of the chain is the simulation, or
-/// else the Richardson limit, or else the finite-volume solution for the full jump integral.
+/// the chain are over smooth bins. The distance over smooth bins from the finite-volume solution of
+/// the full jump integral to the simulation is then the measured discretisation error. The chain of
+/// models omits a model that is missing, not `ok` or equal to the previous model. If a model is
+/// omitted from the chain, the next model takes over its approximations. The last model of the
+/// chain is the simulation, or else the Richardson limit, or else the finite-volume solution for
+/// the full jump integral.
 /// @param closure one of the solutions
 /// @return at least two models; an empty list if the closure has no marginal density, or if no
 /// solution of the full jump integral exists

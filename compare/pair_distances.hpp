@@ -10,17 +10,17 @@
 
 namespace fpkcheck::compare {
 
-/// A marginal density of a solution over the comparison bins.
+/// A marginal density of a solution, averaged over the comparison bins.
 struct SolutionMarginalDensity {
   std::string solution;
   transform::StateVariable variable;
   transform::Marginal marginal;
 };
 
-/// Distances between the marginal densities of two solutions in one variable. The distances are
-/// over smooth bins if one solution is the smooth reference (compare/smooth_reference.hpp) and the
-/// other solution has no sampling error. Only the L1 distance includes the distance of the rest
-/// atoms (compare/rest_atoms.hpp).
+/// Distances between the marginal densities of two solutions in one variable, y or y'. The
+/// distances between two solutions are over smooth bins if one is the smooth reference
+/// (compare/smooth_reference.hpp) and the other has no sampling error. Only the L1 distance between
+/// two solutions includes the difference of their probabilities of rest (compare/rest_atoms.hpp).
 struct SolutionPairDistances {
   std::string a;
   std::string b;  ///< id of the more trusted of the two solutions
@@ -30,13 +30,13 @@ struct SolutionPairDistances {
   std::optional<double> l1_standard_error = {};
 };
 
-/// Returns the distances between two solutions in one variable, for either order of the two ids.
-/// The result is null if `pairs` lacks the distances between the two solutions.
+/// Returns the distances between two solutions in one variable; the order of the two ids does not
+/// matter. The result is null if the list `pairs` lacks the distances between the two solutions.
 const SolutionPairDistances* find_pair_distances(std::span<const SolutionPairDistances> pairs,
                                                  std::string_view first, std::string_view second,
                                                  transform::StateVariable variable);
 
-/// Returns the L1 distance of two solutions; empty if the distance is missing or not finite.
+/// Returns the L1 distance between two solutions; empty if the distance is missing or not finite.
 std::optional<double> l1_distance_between(std::span<const SolutionPairDistances> pairs,
                                           std::string_view first, std::string_view second,
                                           transform::StateVariable variable);

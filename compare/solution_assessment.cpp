@@ -38,8 +38,8 @@ std::optional<ReferenceConfirmation> find_reference_confirmation(
   return ReferenceConfirmation{second->id(), solutions_agree(reference, *second, pairs)};
 }
 
-// Returns whether the L1 distances of p(y) and p(y') from the reference are at most its error
-// estimates.
+// Returns whether the L1 distances of p(y) and p(y') from the reference are at most the error
+// estimates of the reference.
 bool is_within_reference_error(const SolutionsAssessment& assessment,
                                const SolutionAssessment& solution) {
   const auto within = [](const std::optional<double>& l1, double error) {
