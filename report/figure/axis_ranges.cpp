@@ -22,8 +22,8 @@ struct DensityAxisExtent {
 
 constexpr double kVisibleFraction = 1.0 / 500;
 
-// Extends the axis ranges by half a bin to the wall y = 0, and to each end of the bins at which the
-// density has not decayed.
+// Extends the axis ranges by half a bin to the wall y = 0, and to each end of the binned range at
+// which the density has not decayed.
 void include_ends_of_bins(const results::DensityCurve& curve, double peak,
                           DensityAxisExtent& linear, DensityAxisExtent& logarithmic) {
   const auto widths = results::bin_widths(curve);
@@ -61,7 +61,7 @@ std::pair<double, double> difference_axis_decades(const MarginalAxisRanges& r) {
 }
 
 double logarithmic_axis_bottom(const MarginalAxisRanges& ranges, double floor) {
-  // The factor 0.8 leaves space between the lowest point and the bottom axis.
+  // The factor 0.8 leaves space between the lowest point of the density and the bottom axis.
   const double least = std::min(0.8 * ranges.least_density, logarithmic_axis_top(ranges) / 10);
   return least > floor ? std::pow(10, std::floor(std::log10(least))) : floor;
 }

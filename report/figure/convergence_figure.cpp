@@ -29,20 +29,20 @@ struct ReferenceUncertaintyLine {
   const char* dash;  ///< dash type of gnuplot
 };
 
-/// L1 distances of one marginal density from the reference of a case, grouped by solution family
-/// and sorted by closure order. The pointers to members of a family point to solutions of the case
-/// with a positive distance from the reference.
+/// L1 distances of one marginal density from the reference solution of a case, grouped by solution
+/// family and sorted by closure order. Members of a family are solutions of the case with a
+/// positive distance from the reference solution.
 struct ClosureDistancesByOrder {
   const results::CaseResult* case_result;
   const transform::Solution* reference;
   transform::StateVariable variable;
   std::vector<SolutionFamily> families;  ///< members sorted by order
-  /// External densities outside these families.
+  /// External densities that belong to no family of closures in the plot.
   std::vector<const transform::Solution*> external_densities;
   std::vector<ReferenceUncertaintyLine> uncertainty_lines;
 
   double l1(const transform::Solution& solution) const;
-  /// Returns the lowest and the highest closure order n.
+  /// Returns the lowest and the highest closure order n of all families.
   std::pair<int, int> order_range() const;
 };
 
@@ -82,7 +82,8 @@ std::vector<ReferenceUncertaintyLine> make_uncertainty_lines(
   return all;
 }
 
-/// Returns the L1 distances of one marginal density, by family of closures and closure order.
+/// Returns the L1 distances of one marginal density from the reference, by family of closures and
+/// closure order.
 /// @return nothing if the case has no reference, or no family of closures with at least two orders
 std::optional<ClosureDistancesByOrder> convergence_over_order(
     const results::CaseResult& case_result, transform::StateVariable variable) {
@@ -130,8 +131,8 @@ std::string name_with_status(const Solution& solution) {
                                   : fmt::format("{} ({})", solution.id(), name(solution.status));
 }
 
-/// Makes the series of a family, without points. The plot style of the series is the style of the
-/// family's middle member.
+/// Makes the figure series of a solution family, without points. The plot style of a family's
+/// series is the style of the middle solution of the family.
 FigureSeries family_series(const SolutionFamily& family) {
   const auto& style = family.solutions[family.solutions.size() / 2]->identity.plot_style;
   return {.name = family.name,

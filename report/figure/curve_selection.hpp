@@ -15,19 +15,19 @@ inline constexpr std::size_t kMaxDefaultCurves = 6;
 
 /// Returns the ids of the solutions whose curves the picture of a case shows.
 ///
-/// The default selection contains all external densities. Further solutions are added, up to
-/// kMaxDefaultCurves curves, in this order: the reference, the remaining solutions of the full
+/// The default selection of curves contains all external densities. Further solutions are added, up
+/// to kMaxDefaultCurves curves, in this order: the reference, the remaining solutions of the full
 /// problem (report/case_solutions.hpp), the closest closure of each formulation, solutions of
 /// approximate equations by decreasing trust, remaining closures (`ok` and closest first).
-/// @param requested ids, families or solvers whose curves are shown, or "all". An empty list means
-/// the default selection.
+/// @param requested ids, families or solvers whose curves are shown, or "all". If `requested` is
+///        empty, the default selection of curves is shown.
 std::set<std::string> select_solutions_to_draw(const results::CaseResult& case_result,
                                                const std::vector<std::string>& requested = {});
 
 /// Returns the ids of the solutions whose curves are initially visible on the report page: the
 /// solutions of the full problem (report/case_solutions.hpp), the closest closure of each family,
-/// and external densities. If fewer than two solutions would be visible, all solutions of the case
-/// are visible.
+/// and external densities. If fewer than two solutions of the case would be visible, all solutions
+/// of the case are visible.
 std::set<std::string> initially_visible_solutions(const results::CaseResult& case_result);
 
 /// Checks that every requested id, family or solver matches a solution.

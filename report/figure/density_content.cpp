@@ -12,8 +12,8 @@ using results::CaseResult;
 using results::DensityCurve;
 using transform::StateVariable;
 
-// Returns the curve of the reference over smooth bins, or null unless this curve has confidence
-// intervals in all bins.
+// Returns the curve of the reference solution over smooth bins, or null unless this curve has
+// confidence intervals in all bins.
 const DensityCurve* reference_curve_over_smooth_bins(const CaseResult& case_result,
                                                      const std::string& reference,
                                                      StateVariable variable) {
@@ -25,8 +25,8 @@ const DensityCurve* reference_curve_over_smooth_bins(const CaseResult& case_resu
   return is_complete(curve->lower) && is_complete(curve->upper) ? curve : nullptr;
 }
 
-// Returns the id of the reference of a case. The id is empty if the case has no reference, or if
-// the reference lacks the curve of a marginal density.
+// Returns the id of the reference solution of a case. The id is empty if the case has no reference
+// solution, or if the reference solution lacks the curve of a marginal density.
 std::string reference_id(const CaseResult& case_result) {
   const auto* reference = case_result.reference_solution();
   if (reference == nullptr) return "";
@@ -64,10 +64,11 @@ CurveDifferenceFromReference absolute_smooth_bin_differences(const DensityCurve*
   return result;
 }
 
-// Returns axis ranges of the differences between the curves and the reference. A logarithmic axis
-// contains the differences of all curves. A linear axis contains only the differences of solutions
-// with status ok or inaccurate, since a single outlier would compress all other curves. If no
-// solution has the status ok or inaccurate, the linear axis contains the differences of all curves.
+// Returns the axis ranges of the differences between density curves and the curve of the reference
+// solution. A logarithmic axis contains the differences of all curves from the reference. A linear
+// axis of differences contains only solutions with status ok or inaccurate, since a single outlier
+// would compress all other curves. If no solution has the status ok or inaccurate, the linear axis
+// of differences contains all curves.
 MarginalAxisRanges axis_ranges_of_differences(std::span<const DrawnDensityCurve> curves,
                                               bool logarithmic) {
   std::vector<DrawnDensityCurve> compared_curves;

@@ -17,8 +17,7 @@ namespace {
 using transform::StateVariable;
 
 /// The kind of a panel of one marginal density: the density on a linear or on a logarithmic axis,
-/// the difference from the reference, or the absolute difference from the reference over smooth
-/// bins.
+/// the difference from the reference solution, or the absolute difference over smooth bins.
 enum class DensityPanelKind { linear, logarithmic, difference, smooth_difference };
 
 bool shows_differences(DensityPanelKind kind) {
@@ -63,7 +62,7 @@ FigureAxis ordinate_axis(DensityPanelKind kind, const MarginalDensityCurves& mar
     case DensityPanelKind::logarithmic:
       return {density, logarithmic_axis_bottom(r, smallest_density), logarithmic_axis_top(r), true};
     case DensityPanelKind::difference: {
-      // If all differences from the reference are 0, the axis range is arbitrary.
+      // If all differences from the reference are 0, any axis range is suitable.
       const double half = r.largest_difference > 0 ? 1.1 * r.largest_difference : 1;
       return {"Δ" + density, -half, half};
     }
@@ -75,7 +74,8 @@ FigureAxis ordinate_axis(DensityPanelKind kind, const MarginalDensityCurves& mar
   return {};
 }
 
-// Returns the legend note with the probabilities of atoms at rest, which a curve cannot show.
+// Returns the legend note with the probabilities of atoms of mass at rest, which a curve cannot
+// show.
 std::string atom_and_interval_note(const DrawnDensityCurve& drawn) {
   std::string label;
   for (const auto& atom : drawn.solution->atoms) {
@@ -85,15 +85,16 @@ std::string atom_and_interval_note(const DrawnDensityCurve& drawn) {
   return label;
 }
 
-// Returns whether the curve of a solution has marks, which distinguish curves in grey print.
-// Closures and external densities have marks; solutions of density equations have lines only.
+// Returns whether the curve of a solution has marks, which distinguish curves in grey print. Curves
+// of closures and external densities have marks; curves of solutions of density equations have
+// lines only.
 bool curve_has_marks(const transform::SolutionIdentity& identity) {
   return !identity.plot_style.as_points && (identity.role == transform::SolutionRole::closure ||
                                             identity.role == transform::SolutionRole::external);
 }
 
-// Returns the series of a curve. The series has no points if the panel shows differences and the
-// curve has no differences.
+// Returns the series of a curve. The series has no points if the panel shows differences from the
+// reference and the curve has none.
 FigureSeries curve_series(const DrawnDensityCurve& drawn, DensityPanelKind kind,
                           const std::string& reference) {
   const bool of_differences = shows_differences(kind);
@@ -110,12 +111,14 @@ FigureSeries curve_series(const DrawnDensityCurve& drawn, DensityPanelKind kind,
   series.line_width = plot_style.width;
   series.note = atom_and_interval_note(drawn);
   if (kind == DensityPanelKind::smooth_difference && id == reference) {
-    // The differences of the reference are the half-widths of its confidence intervals.
+    // The panel of differences shows the half-widths of the confidence intervals as the curve of
+    // the reference.
     series = {.name = fmt::format("half-width of the interval of {}", reference),
               .colour = "#444444",
               .dash = "(1,3)"};
   } else if (plot_style.as_points) {
-    // Largest number of points on a curve, since more points would hide the lines of other curves.
+    // Largest number of points on a simulated curve, since more points would hide the lines of
+    // other curves.
     constexpr std::size_t kPointsOnACurve = 35;
     series.mark_step = std::max<std::size_t>(1, places.size() / kPointsOnACurve);
     series.dash = "";
@@ -153,8 +156,8 @@ FigurePanel density_panel(DensityPanelKind kind, const MarginalDensityCurves& ma
   for (auto& series : result.series) {
     if (!series.symbol.empty() && !series.dash.empty()) marked.push_back(&series);
   }
-  // A density curve has at most kMarksOnACurve marks. The marks of different curves have different
-  // abscissae, since the curves may nearly coincide.
+  // A density curve has at most kMarksOnACurve marks, which distinguish curves in grey print. The
+  // marks of different curves have different abscissae, since the curves may nearly coincide.
   constexpr std::size_t kMarksOnACurve = 8;
   for (std::size_t k = 0; k < marked.size(); ++k) {
     marked[k]->mark_step = std::max<std::size_t>(1, marked[k]->points.size() / kMarksOnACurve);

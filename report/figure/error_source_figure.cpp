@@ -23,8 +23,8 @@ using results::MomentErrorSource;
 using transform::Moments;
 
 constexpr std::size_t kMaxSolutions = 4, kMaxSolutionsInColumn = 2;
-// Outer cells with values below kVisibleErrorFraction times the largest value are invisible and
-// omitted.
+// Outer phase-plane cells with values below kVisibleErrorFraction times the largest value are
+// invisible in heat maps and omitted.
 constexpr double kVisibleErrorFraction = 1e-3;
 
 struct MomentWithErrorSources {
@@ -68,8 +68,8 @@ std::vector<std::string> solutions_to_show(const CaseResult& case_result, std::s
   return ids;
 }
 
-// Returns the window of the cells that have a visible value in at least one map. The window is
-// symmetric in y', and includes y = 0 if the cells begin at y = 0.
+// Returns the window of the phase-plane cells that have a visible value in at least one heat map.
+// The window of visible cells is symmetric in y', and includes y = 0 if the cells begin at y = 0.
 CellIndexWindow window_of_visible_cells(const CaseResult& case_result,
                                         const std::vector<std::string>& ids) {
   const auto& cells = case_result.error_sources.front().density;
@@ -93,15 +93,15 @@ CellIndexWindow window_of_visible_cells(const CaseResult& case_result,
   return window;
 }
 
-// Returns the signed square root, which the colour scale uses to show values that are small
-// relative to the values at the wall.
+// Returns a signed square root, since the colour scale would hide values that are small relative to
+// the values at the wall.
 double scaled_signed_root(double value, double limit) {
   return std::copysign(std::sqrt(std::abs(value) / limit), value);
 }
 
-// Returns a colour axis with tics at equal steps of the value. The positions of the tics on the
-// colour axis are signed square roots of the values. The tic labels are in units of the power of
-// ten in the axis label.
+// Returns a colour axis with tics at equal steps of the shown value. The positions of the tics on
+// the colour axis are signed square roots of the shown values. The tic labels of the colour axis
+// are in units of the power of ten in the axis label.
 FigureAxis signed_root_colour_axis(const std::string& quantity, double limit) {
   constexpr int kMaxSteps = 5;  // largest number of tic steps on each side of 0
   const double step = choose_tick_step(0, limit, kMaxSteps);
@@ -153,9 +153,9 @@ FigurePanel error_source_panel(const CaseResult& case_result, const std::string&
           .choice = id};
 }
 
-// On a screen each solution has a column of two maps, but a single solution has a row of two maps.
-// On paper each solution has a row of two heat maps. In a single journal column all heat maps are
-// below one another.
+// On a screen each solution has a column of two heat maps, but a single solution has a row of two
+// heat maps. In a figure on paper each solution has a row of two heat maps. In a figure for a
+// single journal column all heat maps are below one another.
 Figure make_error_source_figure(const CaseResult& case_result, const std::vector<std::string>& ids,
                                 FigureWidth width) {
   constexpr int kColumnOnScreen = 400, kMomentCount = static_cast<int>(std::size(kMoments));

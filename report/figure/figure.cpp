@@ -15,14 +15,14 @@
 namespace fpkcheck::report {
 namespace {
 
-// Width of a colour bar, and of a colour bar with tics and label, in pixels.
+// Width of a colour bar, and width of a colour bar with tics and label, in pixels.
 constexpr int kColourBarWidth = 14, kColourBarSpace = 110;
 
-/// The data blocks of a gnuplot script. Series with the same points share a data block.
+/// The data blocks of a gnuplot script. Figure series with the same points share a data block.
 class GnuplotDataBlocks {
  public:
-  /// @param rows rows of the block, each ended by a newline
-  /// @return name of the block
+  /// @param rows rows of the data block, each ended by a newline
+  /// @return name of the data block
   std::string add(const std::string& rows) {
     const auto [block, is_new] = names_.try_emplace(rows, fmt::format("data{}", names_.size()));
     if (is_new) text_ += gnuplot_data_block(block->second, rows);
@@ -82,7 +82,8 @@ std::string mix_with_white(const std::string& colour) {
   return mixed;
 }
 
-// Since gnuplot has no fill density for patterns, the colour of a pale pattern is mixed with white.
+// Since gnuplot has no fill density for patterns, pale patterns are drawn in a colour mixed with
+// white.
 std::string bar_style_options(const FigureSeries& series, const std::string& kind, bool is_pale) {
   const std::string colour = quote_for_gnuplot(series.colour);
   if (series.hatch.empty()) {
@@ -94,10 +95,10 @@ std::string bar_style_options(const FigureSeries& series, const std::string& kin
                      is_pale ? quote_for_gnuplot(mix_with_white(series.colour)) : colour);
 }
 
-// Returns the plot style of a series, in the colour of the series or of its legend entry. The
-// colour is quoted as a gnuplot string, since plot styles may come from files.
+// Returns the gnuplot plot style of a series, in the colour of the series or of its legend entry.
+// The colour is quoted as a gnuplot string, since plot styles may come from files.
 // @param kind plot style of gnuplot: gnuplot_plot_style(), or only the lines or points of the
-// series
+//        series
 std::string series_style_options(const FigureSeries& series, const std::string& kind,
                                  const std::string& colour, bool is_open = false) {
   if (series.is_area) {
@@ -114,8 +115,8 @@ std::string series_style_options(const FigureSeries& series, const std::string& 
          fmt::format(" pointtype {} pointsize {:g}", is_open ? open : filled, series.mark_size);
 }
 
-// Returns the data block of a series with the columns abscissa, ordinate, 1 for an open mark, width
-// of the bar, and ends of the interval.
+// Returns the gnuplot data block of a series with the columns abscissa, ordinate, 1 for an open
+// mark, width of the bar, and ends of the interval.
 std::string add_series_data_block(const FigureSeries& series, const FigurePanel& panel,
                                   GnuplotDataBlocks& blocks) {
   const bool is_logarithmic = panel.y.is_logarithmic, with_intervals = has_intervals(series);
@@ -129,9 +130,9 @@ std::string add_series_data_block(const FigureSeries& series, const FigurePanel&
                         gnuplot_number(point.y, is_logarithmic), point.open);
     if (series.is_bars) rows += fmt::format(" {:.6g}", point.width);
     if (with_intervals) {
-      // An interval that reaches below a logarithmic axis ends at the axis.
+      // A confidence interval that reaches below a logarithmic axis ends at the axis.
       const double lower = is_logarithmic ? std::max(point.lower, panel.y.from) : point.lower;
-      // The program gnuplot would omit a bar without an interval.
+      // The program gnuplot would omit a bar without a confidence interval.
       const bool is_empty = series.is_bars && !std::isfinite(point.upper);
       rows += fmt::format(" {} {}", gnuplot_number(is_empty ? point.y : lower, false),
                           gnuplot_number(is_empty ? point.y : point.upper, false));
@@ -141,7 +142,7 @@ std::string add_series_data_block(const FigureSeries& series, const FigurePanel&
   return blocks.add(rows);
 }
 
-// An open mark is a white filled mark below the outline of the mark, so that the line does not
+// An open mark is a white filled mark below an outline, so that the line of the series does not
 // cross the mark.
 std::vector<std::string> series_plot_commands(const FigureSeries& series, const FigurePanel& panel,
                                               GnuplotDataBlocks& blocks) {
@@ -250,8 +251,8 @@ std::string axis_commands(const FigureAxis& axis, const std::string& name) {
       axis.is_logarithmic ? kPowerOfTenFormat : "say('%h', '$%h$')");
 }
 
-// The colour scale of a map, with a colour bar to the right of the panel.
-/// @param has_colour_bar whether the panel has a colour bar
+// The colour scale of a heat map, with a colour bar to the right of the panel.
+// @param has_colour_bar whether the panel has a colour bar
 std::string colour_scale_commands(const FigureHeatMap& map, const FigurePanelBox& place,
                                   int layout_width, bool has_colour_bar) {
   std::vector<std::string> colours;
@@ -261,7 +262,8 @@ std::string colour_scale_commands(const FigureHeatMap& map, const FigurePanelBox
   return axis_commands(map.colour_axis, "cb") +
          fmt::format(
              "set palette defined ({})\n{}{}", fmt::join(colours, ", "),
-             // The background is grey, since light discs would be invisible on white.
+             // The background of the heat map is grey, since light discs would be invisible on
+             // white.
              map.values.empty() ? "set object 1 rectangle from graph 0,0 to graph 1,1 behind "
                                   "fillcolor rgb '#E4E4E4' fillstyle noborder\n"
                                 : "",
@@ -328,8 +330,8 @@ FigureLegend collect_legend(const Figure& figure) {
   return legend;
 }
 
-// Returns whether the maps of all panels have the same colours, so that a row of panels needs a
-// single colour bar.
+// Returns whether the heat maps of all panels have the same colours, so that a row of panels needs
+// a single colour bar.
 bool panels_share_colour_axis(const Figure& figure) {
   const auto& first = figure.panels.front().map;
   return std::ranges::all_of(figure.panels, [&](const FigurePanel& panel) {
@@ -404,7 +406,7 @@ std::string make_gnuplot_script(const Figure& figure, const std::string& file_st
   const FigureTitle title = make_figure_title(figure.title, grid.size());
   grid.title_height = title.height;
 
-  // A map with few cells is drawn as rectangles in SVG, since SVG viewers smooth images.
+  // A heat map with few cells is drawn as rectangles in SVG, since SVG viewers smooth images.
   constexpr std::size_t kFewCells = 6000;
   std::size_t cells = 0;
   for (const auto& panel : figure.panels) cells += panel.map ? panel.map->values.size() : 0;
@@ -446,7 +448,8 @@ std::string make_gnuplot_script(const Figure& figure, const std::string& file_st
          "# Columns of a series: abscissa, ordinate, 1 for an open mark, width of a bar, ends of the\n"
          "# interval\n" +
          blocks.text() +
-         // By default, gnuplot erases the line of an error bar in a box around the point.
+         // By default, gnuplot erases the line of an error bar in a box around the point of the
+         // error bar.
          "set pointintervalbox 0.0001\n"
          "set tics out nomirror\nset border 3\nset grid ytics linetype 1 dashtype solid linecolor "
          "rgb '#DDDDDD' linewidth 0.6\nunset key\n" +

@@ -11,13 +11,14 @@
 #include "report/figure/figure_options.hpp"
 #include "transform/solution_identity.hpp"
 
-/// Data structures that describe a figure independently of its output. The function
-/// make_gnuplot_script() converts a Figure to a gnuplot script. The function make_page_plots()
-/// (report/page/page_plots.hpp) converts a Figure to plots of the report page.
+/// Data structures that describe a figure independently of its output format (gnuplot or
+/// plotly.js). The function make_gnuplot_script() converts a Figure to a gnuplot script. The
+/// function make_page_plots() (report/page/page_plots.hpp) converts a Figure to plots of the report
+/// page.
 namespace fpkcheck::report {
 
-/// A point of a series. The line has a gap at a point with a non-finite coordinate, or with a
-/// coordinate <= 0 on a logarithmic axis.
+/// A point of a series. The line of a data series has a gap at a point with a non-finite
+/// coordinate, or with a coordinate <= 0 on a logarithmic axis.
 struct FigurePoint {
   double x, y;
   bool open = false;        ///< whether the mark is open, for a status other than `ok`
@@ -25,13 +26,13 @@ struct FigurePoint {
   std::string label = "";   ///< text beside the mark, on the page only
   std::string colour = "";  ///< colour of the mark on the page; if empty, the colour of the series
   /// Ends of the confidence interval at a point of a series without a line; NaN without an
-  /// interval. The intervals are error bars in a picture and a band on the page.
+  /// interval. Confidence intervals are error bars in a picture and a band on the report page.
   double lower = std::numeric_limits<double>::quiet_NaN(), upper = lower;
   double width = 0;  ///< width of a bar, in units of the x axis
 };
 
 /// A data series of a figure: points with marks, a line through the points, or marks and a line.
-/// Series with the same name share a legend entry.
+/// Data series of a figure with the same name share a legend entry.
 struct FigureSeries {
   std::string name;        ///< name of the series in the legend, plain text
   std::string group = "";  ///< the page hides and shows the series of a group together
@@ -73,13 +74,13 @@ struct FigureAxis {
   bool operator==(const FigureAxis&) const = default;
 };
 
-/// Range of the coordinates of the points of series; least > greatest if no point counts.
+/// Range of the coordinates of points; `least` exceeds `greatest` if no point was counted.
 struct CoordinateRange {
   double least = std::numeric_limits<double>::infinity(), greatest = -least;
 
   bool is_empty() const { return greatest < least; }
 };
-/// Returns the range of the finite coordinates that are larger than `above`.
+/// Returns the range of all finite coordinates of the points that are larger than `above`.
 CoordinateRange coordinate_range(const std::vector<FigureSeries>& all,
                                  double FigurePoint::*coordinate,
                                  double above = -std::numeric_limits<double>::infinity());
@@ -100,13 +101,13 @@ struct FigureHeatMap {
   std::size_t columns;
   std::vector<double> values;  ///< values in rows of constant y, from the lowest y
   FigureAxis colour_axis;
-  /// Positions, from 0 to 1, and colours of the colour scale.
+  /// Positions (from 0 to 1) and colours that define the colour scale of the heat map.
   std::vector<std::pair<double, std::string>> colours;
   std::vector<std::array<double, 3>> discs = {};  ///< coordinates x, y and value of single points
   std::string no_value_name = "";                 ///< legend entry of cells without a colour
   double disc_size = 1;                           ///< in units of gnuplot's point size
-  /// If root_scale is positive, a value v of the heat map is a signed square root, and the page
-  /// shows the number v |v| root_scale beside the mouse pointer.
+  /// If root_scale is positive, a value v of the heat map is a signed square root, and the report
+  /// page shows the number v |v| root_scale beside the mouse pointer.
   double root_scale = 0;
   std::string quantity = "";
 };
@@ -123,11 +124,11 @@ inline constexpr std::pair<double, const char*> kSequentialColours[] = {
     {0, "#FFFFFF"},   {0.04, "#E4F0EE"}, {0.12, "#A9DAC9"}, {0.3, "#45B29D"},
     {0.5, "#2A788E"}, {0.75, "#3B4A8C"}, {1, "#3A0F4F"}};
 
-/// A panel of a figure. On the report page, panels with the same id are the rows of one plot, from
-/// the lowest row.
+/// A panel of a figure. On the report page, panels with the same id are the rows of one plot,
+/// beginning with the lowest row.
 struct FigurePanel {
   std::string id = "";  ///< part of the id of the plot on the page; empty for no plot
-  /// Title in a picture, after the letter of the panel; gnuplot's enhanced text.
+  /// Title of the panel in a picture, after the panel's letter, in gnuplot's enhanced text.
   std::string title;
   std::string caption = "";  ///< caption on the page, plain text
   std::string letter = "";   ///< letter of the panel in a picture; empty for the next letter
@@ -135,13 +136,15 @@ struct FigurePanel {
   FigureAxis x, y;
   std::vector<FigureSeries> series = {};
   std::optional<FigureHeatMap> map = {};
-  /// Name of the choice that shows this panel. Panels with different choices share a place on the
-  /// page, where a control selects a choice.
+  /// Name of the choice, in a control of the report page, that shows this panel. Panels with
+  /// different choices share one place on the report page, where a control selects the visible
+  /// panel.
   std::string choice = "";
 };
 
 struct Figure {
-  /// The parts of the title in plain text; a picture breaks the title into lines between parts.
+  /// Parts of the figure title in plain text; a picture may break the title into lines between two
+  /// parts.
   std::vector<std::string> title = {};
   std::vector<FigurePanel> panels = {};
   std::string legend_note = "";  ///< text in the legend without a line sample
@@ -151,7 +154,7 @@ struct Figure {
 };
 
 /// Returns a gnuplot script with data that draws the panels of a figure row by row, with a common
-/// legend. A single panel in the last row fills the width of the picture.
+/// legend. A single panel in the last row of a figure fills the width of the picture.
 /// @pre the figure has at least one panel
 std::string make_gnuplot_script(const Figure& figure, const std::string& file_stem,
                                 FigureWidth width = FigureWidth::screen);

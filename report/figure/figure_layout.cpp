@@ -19,8 +19,8 @@ constexpr double kLetterPixels = 11 * 96 / kPointsPerInch, kLetterPoints = 7.5;
 // Resolution of a PNG for print, in dpi.
 constexpr double kPrintResolution = 300;
 
-// Points per pixel of a layout on paper. A PDF for the screen uses the same ratio, so that the
-// letters of all PDF files have equal size.
+// Points per pixel of a layout on paper. A PDF for the screen has the same ratio of points per
+// pixel as a printed PDF, so that the letters of all PDF files have equal size.
 constexpr double kPointsPerPixel = kLetterPoints / kLetterPixels;
 
 double png_scale(FigureWidth medium) {
@@ -44,7 +44,8 @@ std::string png_terminal(const FigureSize& size) {
       scale * size.width, scale * size.height, scaled);
 }
 
-// The sizes are in inches. The factor 2 compensates that Cairo draws lines at half of their width.
+// The sizes are in inches. The factor 2 compensates that the Cairo terminal draws lines at half of
+// their width.
 std::string cairo_scale(const FigureSize& size) {
   return fmt::format("size {:.4f},{:.4f} linewidth {:.4g} pointscale {:.4g}",
                      size.width * kPointsPerPixel / kPointsPerInch,
@@ -52,11 +53,11 @@ std::string cairo_scale(const FigureSize& size) {
                      kPointsPerPixel);
 }
 
-// Left margin, in pixels, of a panel with tics and axis label.
+// Left margin of a panel with tics and axis label, in pixels.
 constexpr int kPanelLeftMargin = 92;
 
-// Letter width and line height, in pixels, that gnuplot assumes for the larger font, which is the
-// font of the SVG.
+// Letter width and line height of the larger font (the font of SVG pictures), in pixels, that
+// gnuplot assumes.
 constexpr double kLetterWidth = 10.5, kLineHeight = 25.2;
 constexpr double kLegendMargin = 16;
 constexpr double kStripLeft = 0.02,
@@ -122,7 +123,7 @@ std::string gnuplot_output_commands(const std::string& file_stem, const FigureSi
 
 FigureTitle make_figure_title(const std::vector<std::string>& parts, const FigureSize& size) {
   constexpr int kTitleLine = 24, kFirstLine = 36;
-  // The font is smaller on paper, to save space.
+  // The font of the title is smaller on paper than on a screen, to save space.
   const int points = size.medium == FigureWidth::screen ? 14 : 11;
   const double letter = 0.6 * points * 96 / kPointsPerInch;
   std::vector<std::string> lines{""};
@@ -143,8 +144,8 @@ FigureTitle make_figure_title(const std::vector<std::string>& parts, const Figur
       kFirstLine + static_cast<int>(lines.size() - 1) * kTitleLine};
 }
 
-// All text is upright, without italics, since viewers of SVG drop the spaces beside a change of
-// font.
+// All title text is upright, without italics, since viewers of SVG drop the spaces beside a change
+// of font.
 std::vector<std::string> problem_title_parts(const problem::Problem& problem) {
   std::vector<std::string> parts{problem.name + ": "};
   const std::string parameters = problem::non_default_parameters_text(problem, true);

@@ -7,19 +7,19 @@
 #include "report/figure/figure_options.hpp"
 #include "report/figure/script_text.hpp"
 
-/// Size, output commands, title, panels and legend that all pictures share.
+/// Layout that all gnuplot pictures share: size, output commands, title, panels and legend.
 namespace fpkcheck::report {
 
-/// Size of the layout of a picture in pixels. The letters are 14 or 15 pixels high for every
-/// picture width. A narrow picture therefore has fewer panels side by side. Letters of a printed
-/// picture have a size of 7.5 pt.
+/// Size of the layout of a picture in pixels. The letters in a picture are 14 or 15 pixels high for
+/// every picture width. A narrow picture has fewer panels side by side than a wide picture, since
+/// its letters are equally high. Letters of a printed picture have a size of 7.5 pt.
 struct FigureSize {
   int width;
   int height;
   FigureWidth medium = FigureWidth::screen;
 };
 
-/// Returns the width of the layout of a figure in pixels.
+/// Returns the width in pixels of the layout of a figure on a screen or in journal columns.
 /// @param screen_width_pixels width of the picture on a screen, in pixels
 int layout_width_in_pixels(FigureWidth medium, int screen_width_pixels);
 
@@ -57,9 +57,9 @@ struct PanelGrid {
   int right_margin = 15;        ///< right margin of the picture, for a common colour bar
   int panel_right_margin = 12;  ///< right margin of each panel, for its own colour bar
 
-  /// Commands that shift labels and titles, so that neighbouring rows of panels do not overlap. The
-  /// label offset for LaTeX is fixed, since gnuplot cannot compute the width of tic labels set by
-  /// LaTeX.
+  /// Gnuplot commands that shift axis labels and panel titles, so that neighbouring rows of panels
+  /// do not overlap. The label offset for LaTeX is fixed, since gnuplot cannot compute the width of
+  /// tic labels set by LaTeX.
   static constexpr const char* kLabelOffsetCommands =
       "set xlabel offset 0,0.3\nset ylabel offset (format eq 'tex' ? -2.5 : 0),0\n"
       "set title offset 0,-0.4\nset cblabel offset 0.8,0\n";
@@ -71,8 +71,8 @@ struct PanelGrid {
   }
 };
 
-/// Makes the panel grid of a figure for a medium. A figure for a single journal column has less
-/// space between rows.
+/// Makes the panel grid of a figure for a medium (screen or journal column). A figure for a single
+/// journal column has less space between its rows of panels than other figures.
 /// @param screen_width_pixels width of the picture on a screen, in pixels
 PanelGrid make_panel_grid(FigureWidth medium, int screen_width_pixels);
 
@@ -82,7 +82,8 @@ struct FigureLegendEntry {
   std::string label;
 };
 
-/// The legend of a figure. The legend is in a strip below all panels and covers no curve.
+/// The legend of a figure. The legend of a figure is in a strip below all panels and covers no
+/// curve.
 struct FigureLegend {
   std::vector<FigureLegendEntry> entries;
   int sample_length;  ///< length of the line sample beside each label, in units of the letter width

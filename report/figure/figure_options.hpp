@@ -19,7 +19,8 @@ inline constexpr base::EnumEntry<FigureFormat> kFigureFormatNames[] = {{FigureFo
 constexpr const auto& enumerator_names(FigureFormat) { return kFigureFormatNames; }
 constexpr std::string_view name(FigureFormat format) { return base::name_of(format); }
 
-/// The medium and width of a figure. A narrow figure has fewer panels side by side.
+/// The medium and width of a figure. A figure for one journal column has fewer panels side by side
+/// than a wider figure.
 enum class FigureWidth { screen, two_columns, one_column };
 inline constexpr base::EnumEntry<FigureWidth> kFigureWidthNames[] = {
     {FigureWidth::screen, "screen"},
@@ -31,8 +32,8 @@ constexpr std::string_view name(FigureWidth width) { return base::name_of(width)
 struct FigureOptions {
   std::vector<FigureFormat> formats{FigureFormat::png};
   FigureWidth width = FigureWidth::screen;
-  /// Ids, families or solvers whose curves the picture of a case shows, or "all". An empty list
-  /// means the default selection (report/figure/curve_selection.hpp).
+  /// Solutions (by id, family or solver) whose curves the picture of a case shows, or "all". An
+  /// empty list of curves means the default selection (report/figure/curve_selection.hpp).
   std::vector<std::string> curves = {};
 };
 

@@ -31,13 +31,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A pipe from standard output and standard error of a child process. The standard input of the
-/// child process is empty.
+/// A pipe that receives the standard output and standard error of a child process. The standard
+/// input of the child process is empty.
 class ChildProcessOutputPipe {
  public:
   ChildProcessOutputPipe() {
     // The ends of the pipe are closed on exec, since a child process that another thread starts
-    // must not inherit them.
+    // must not inherit the pipe.
     if (pipe2(ends_.data(), O_CLOEXEC) != 0) throw_system_error(errno, "pipe");
     posix_spawn_file_actions_init(&actions_);
     posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
@@ -57,10 +57,11 @@ class ChildProcessOutputPipe {
 
   const posix_spawn_file_actions_t* actions() const { return &actions_; }
 
-  /// Reads the output until its end and returns the beginning of the output. The returned output is
-  /// empty if the deadline passes or a stop is requested.
+  /// Reads the output of a child process until its end, and returns the beginning of the output.
+  /// The returned output of the child process is empty if the deadline passes or a stop is
+  /// requested.
   std::optional<std::string> read_until_end(Clock::time_point deadline) {
-    // Largest length of the returned output, of which callers report the first line.
+    // Largest length of the returned gnuplot output, of which callers report the first line.
     constexpr std::size_t kMost = 10000;
     close(ends_[1]);  // read() returns the end of file only if all writers have closed the pipe
     ends_[1] = -1;
@@ -122,7 +123,7 @@ std::optional<int> reap_child(pid_t child, int options) {
 }
 
 /// Waits for the exit of a child process that has closed its output.
-/// @return the exit code; nothing if the deadline passes or a stop is requested
+/// @return the exit code of the process; nothing if the deadline passes or a stop is requested
 std::optional<int> wait_for_exit(pid_t child, Clock::time_point deadline) {
   constexpr std::chrono::milliseconds kFirstPause(1), kLongestPause(20);
   for (auto pause = kFirstPause;; pause = std::min(2 * pause, kLongestPause)) {
@@ -132,7 +133,7 @@ std::optional<int> wait_for_exit(pid_t child, Clock::time_point deadline) {
   }
 }
 
-// Returns pointers to the texts and a final null pointer, as the C interface of posix_spawn
+// Returns pointers to texts, followed by a null pointer, as the C interface of posix_spawn
 // requires.
 std::vector<char*> null_terminated_pointers(std::vector<std::string>& texts) {
   std::vector<char*> pointers;
@@ -156,8 +157,8 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
                            std::chrono::milliseconds time_limit) {
   std::string commands;
   for (const auto& assignment : assignments) commands += assignment + "; ";
-  // The process is started without a shell, so that paths need no quotes. The path is absolute,
-  // since gnuplot would run a file name that begins with '<' as a command.
+  // The gnuplot process is started without a shell, so that paths need no quotes. The path of the
+  // script is absolute, since gnuplot would run a file name that begins with '<' as a command.
   std::vector<std::string> arguments{program, "-d", "-e", commands,
                                      std::filesystem::absolute(script).string()};
   auto argv = null_terminated_pointers(arguments);
@@ -188,7 +189,8 @@ std::string quote_for_gnuplot(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) {
     if (std::iscntrl(static_cast<unsigned char>(c))) {
-      // A line break would end the string, and gnuplot would run the next line as a command.
+      // A line break within a gnuplot string would end the string, and gnuplot would run the next
+      // line as a command.
       quoted += ' ';
     } else {
       quoted += c == '\'' ? "''" : std::string(1, c);

@@ -15,7 +15,7 @@ struct GnuplotOutcome {
 };
 
 /// Runs a gnuplot script after assignments of gnuplot variables, such as "format='svg'". The
-/// settings of the user (initialisation files, GNUTERM) have no effect.
+/// gnuplot settings of the user (initialisation files, GNUTERM) have no effect.
 /// @param program name of the program on the PATH, or its path
 /// @param time_limit time after which the gnuplot process is killed
 GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::string>& assignments,
@@ -25,7 +25,7 @@ GnuplotOutcome run_gnuplot(const std::string& program, const std::vector<std::st
 /// Converts a text to a string constant in a gnuplot script. Control characters become blanks.
 std::string quote_for_gnuplot(const std::string& text);
 
-/// Escapes the control characters of gnuplot's enhanced text. A picture then shows the text
+/// Escapes the control characters of gnuplot's enhanced text. A picture shows the escaped text
 /// literally.
 std::string escape_enhanced_text(const std::string& text);
 

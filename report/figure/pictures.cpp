@@ -15,7 +15,7 @@ namespace fpkcheck::report {
 namespace fs = std::filesystem;
 namespace {
 
-// Ends of the file stems of all pictures of a case.
+// Suffixes of the file stems of all pictures of a case.
 constexpr const char *kDensities = "", *kBudget = "-budget", *kErrorSources = "-sources",
                      *kConvergence = "-order";
 

@@ -54,8 +54,8 @@ void run_gnuplot_script(const std::string& gnuplot, const fs::path& script,
 }
 
 // Sets the printed size in an SVG file. The program gnuplot measures an SVG in pixels and does not
-// scale tics and marks. Therefore gnuplot draws the SVG with the size for a screen. This function
-// then replaces the size.
+// scale tics and marks. Therefore gnuplot draws the SVG with the size for a screen, and
+// set_printed_size() replaces this size.
 std::string set_printed_size(std::string svg, double width_mm) {
   int width = 0, height = 0;
   const auto at = svg.find(" width=\"");
@@ -92,9 +92,9 @@ class TemporaryDirectory {
 };
 
 // Draws a picture in the format tex, and renames the graphics file that STEM.tex includes to
-// STEM-tex.pdf. The program gnuplot names the graphics file STEM.pdf, like the picture in the
-// format pdf, and writes the directory into STEM.tex. The new name has no directory, so that
-// LaTeX's \graphicspath applies.
+// STEM-tex.pdf. The program gnuplot names the graphics file STEM.pdf, like a picture in the format
+// pdf, and writes the directory into STEM.tex. The name STEM-tex.pdf in STEM.tex has no directory,
+// so that LaTeX's \graphicspath applies.
 void draw_latex_picture(const std::string& gnuplot, const fs::path& script,
                         const fs::path& picture) {
   const TemporaryDirectory directory;
@@ -139,7 +139,8 @@ std::vector<std::string> write_scripts_and_draw(const fs::path& figures,
   for (const auto& [stem, script] : pictures) {
     base::write_file_atomically(figures / (stem + ".gp"), script);
   }
-  // With more simultaneous processes, a picture on a busy machine could exceed its time limit.
+  // With more than four simultaneous gnuplot processes, a picture on a busy machine could exceed
+  // its time limit.
   constexpr int kMaxProcesses = 4;
   const std::size_t formats = options.formats.size();
   std::vector<std::string> warnings(pictures.size() * formats);

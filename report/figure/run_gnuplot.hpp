@@ -14,15 +14,17 @@ struct GnuplotNotFound : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Runs gnuplot to draw the picture of a script. The extension of `picture` determines the format.
-/// The picture file is either replaced completely or left unchanged. The graphics file
-/// STEM-tex.pdf, which STEM.tex includes, is also either replaced completely or left unchanged.
+/// Draws the picture of a gnuplot script by the program gnuplot. The file extension of `picture`
+/// determines the picture format. The picture file is either replaced completely or left unchanged.
+/// The graphics file STEM-tex.pdf, which STEM.tex includes, is also either replaced completely or
+/// left unchanged.
 /// @throws GnuplotNotFound
 /// @throws std::runtime_error with a message of one line if gnuplot drew no picture
 void draw_picture(const std::string& gnuplot, const std::filesystem::path& script,
                   const std::filesystem::path& picture, FigureWidth width = FigureWidth::screen);
 
-/// A gnuplot script. The script file and its pictures have the file name `stem` plus extension.
+/// A gnuplot script. The gnuplot script and its pictures have file names that consist of `stem` and
+/// an extension.
 struct PictureGnuplotScript {
   std::string stem, script;
 };
@@ -39,7 +41,7 @@ std::vector<std::string> write_scripts_and_draw(const std::filesystem::path& fig
                                                 const std::string& subject,
                                                 const std::string& remedy);
 
-/// Writes the script of a single picture and draws the picture, as write_scripts_and_draw().
+/// Calls write_scripts_and_draw() for the script of a single picture.
 std::vector<std::string> write_script_and_draw(const std::filesystem::path& figures,
                                                const std::string& stem, const std::string& script,
                                                const FigureOptions& options,

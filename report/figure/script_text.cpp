@@ -21,7 +21,7 @@ constexpr std::pair<std::string_view, std::string_view> kLatexSymbols[] = {
     {"#", "\\#"},       {"$", "\\$"},       {"%", "\\%"},        {"&", "\\&"},
     {"~", "\\~{}"},     {"--", "-{}-"},
 };
-// LaTeX code for the character after a backslash in enhanced text.
+// LaTeX code for the character after a backslash in gnuplot's enhanced text.
 constexpr std::pair<char, std::string_view> kLatexEscapes[] = {
     {'_', "\\_"}, {'^', "\\^{}"}, {'{', "\\{"},   {'}', "\\}"},
     {'@', "@"},   {'&', "\\&"},   {'~', "\\~{}"}, {'\\', "\\textbackslash{}"},
@@ -34,8 +34,9 @@ std::string_view latex_escape(char c) {
   return "";
 }
 
-// Returns the text within the braces at a position, or the letter at the position if there are no
-// braces. The function advances the position behind the returned text.
+// Returns the text within the braces at a position of an enhanced text, or the letter at the
+// position if there are no braces. The function take_argument() advances the position behind the
+// returned text.
 std::string_view take_argument(std::string_view text, std::size_t& position) {
   const bool in_braces = position < text.size() && text[position] == '{';
   const auto from = in_braces ? position + 1 : position;

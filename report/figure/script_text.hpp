@@ -12,7 +12,7 @@ namespace fpkcheck::report {
 struct FigurePanelBox {
   double left, right, top, bottom;
 };
-/// Returns gnuplot commands that set the position of a panel.
+/// Returns gnuplot commands that set the position of a panel in the picture.
 std::string panel_position_commands(const FigurePanelBox& place);
 
 /// Returns a named data block of a gnuplot script.
@@ -42,13 +42,13 @@ int gnuplot_fill_pattern(const std::string& hatch);
 /// files may be invalid.
 std::string valid_dash_type(const std::string& dash);
 
-/// Converts gnuplot's enhanced text to LaTeX. Italics become formulas, Greek letters and exponents
-/// become LaTeX commands, and special characters of LaTeX are escaped.
+/// Converts gnuplot's enhanced text to LaTeX. In the LaTeX text, italics become formulas, Greek
+/// letters and exponents become LaTeX commands, and special characters of LaTeX are escaped.
 std::string enhanced_text_to_latex(const std::string& enhanced);
 
 /// Converts gnuplot's enhanced text to a string expression of a gnuplot script that is valid in all
-/// figure formats. The expression calls the gnuplot function say(), which gnuplot_output_commands
-/// defines.
+/// figure formats. The returned string expression calls the gnuplot function say(), which
+/// gnuplot_output_commands defines.
 std::string gnuplot_string_expression(const std::string& enhanced);
 
 /// Converts a plain text to a string expression of a gnuplot script that shows the text literally
@@ -59,7 +59,7 @@ std::string literal_gnuplot_expression(const std::string& text);
 std::string variable_in_plain_text(transform::StateVariable variable);
 std::string density_in_plain_text(transform::StateVariable variable);
 
-/// The minus sign U+2212, which gnuplot uses in the numbers that it prints.
+/// The minus sign U+2212, which gnuplot prints in numbers.
 inline constexpr const char* kMinus = "\u2212";
 
 /// Replaces the hyphens in the text of a number by minus signs.
