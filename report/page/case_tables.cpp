@@ -40,7 +40,8 @@ class SolutionsHtmlTable {
                 const std::function<std::string(const Solution&)>& cell) {
     columns_.push_back({header, TextAlignment::left});
     for (const auto& s : case_result_.solutions) {
-      // Solutions with the status `not_offered` have no row, but an entry in the list of reasons.
+      // Solutions with the status `not_offered` have no table row, but an entry in the list of
+      // reasons.
       if (s.status != transform::Status::not_offered) columns_.back().cells.push_back(cell(s));
     }
   }
@@ -74,7 +75,7 @@ class SolutionsHtmlTable {
   std::vector<HtmlTableColumn> columns_;
 };
 
-// Returns a number from a part of a solution; empty if the solution lacks this part.
+// Returns a number from an optional part of a solution; empty if the solution lacks the part.
 template <class Part, class Number>
 std::optional<double> optional_number(const std::optional<Part>& part, const Number& number) {
   if (!part) return std::nullopt;

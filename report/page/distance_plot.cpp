@@ -14,7 +14,7 @@ namespace {
 
 using transform::Solution;
 
-// Lengths in SVG units; the SVG is scaled to the width of the page.
+// Lengths in SVG units; the SVG picture is scaled to the width of the report page.
 constexpr double kWidth = 560, kNames = 132, kRight = 14, kTop = 22, kRow = 22, kBottom = 42;
 constexpr double kLeast = 1e-9;  // Position on the distance axis of all smaller distances.
 
@@ -69,7 +69,8 @@ class ReferenceDistancePlot {
         kTop, bottom_of_rows());
   }
 
-  // Draws the rectangle of the distances that are below the error estimate of the references.
+  // Draws the rectangle of the L1 distances that are below the error estimate of the reference
+  // solutions.
   std::string reference_error_rectangle() const {
     if (!(reference_error_ > 0)) return "";
     const double end = x_position(reference_error_);
@@ -126,8 +127,8 @@ class ReferenceDistancePlot {
     return "";
   }
 
-  // A filled circle marks status ok, an open circle another status with a density, and a cross a
-  // solution without an admissible density.
+  // A filled circle marks the status ok, an open circle another status with a density, and a cross
+  // a solution without an admissible density.
   std::string mark_element(const SolutionAgreementOverCases& row, std::size_t c, double y) const {
     const SolutionAgreementInCase& entry = row.entries[c];
     const auto l1 = entry.largest_l1_distance();

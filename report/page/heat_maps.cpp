@@ -17,8 +17,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Number of levels of the values of a map, which limits the resolution of the colours and of the
-// displayed values.
+// Number of quantisation levels of a heat map, which limits the resolution of the colours and of
+// the displayed values.
 constexpr int kMapLevels = 127;
 
 std::vector<std::string> panel_choices(const Figure& figure) {

@@ -32,7 +32,7 @@ bool is_empty_column(const HtmlTableColumn& column) {
   return std::ranges::all_of(column.cells, [](const auto& cell) { return cell == kNoValue; });
 }
 
-// Replaces the {{placeholders}} of the page frame in a single pass, so that placeholders within
+// Replaces the {{placeholders}} of the page template in a single pass, so that placeholders within
 // inserted texts are unchanged.
 std::string fill_template(std::string_view frame,
                           const std::map<std::string, std::string_view>& parts) {
@@ -101,7 +101,8 @@ std::string table_html(std::string_view caption, std::vector<HtmlTableColumn> co
 std::string encode_base64(std::span<const std::byte> bytes) {
   namespace it = boost::archive::iterators;
   using Encoder = it::base64_from_binary<it::transform_width<const char*, 6, 8>>;
-  // The bytes are padded, since the base64 iterators read whole groups of three bytes.
+  // The compressed bytes are padded, since Boost's base64 iterators read whole groups of three
+  // bytes.
   std::vector<char> padded((bytes.size() + 2) / 3 * 3, 0);
   std::ranges::transform(bytes, padded.begin(), [](std::byte b) { return static_cast<char>(b); });
   std::string text(Encoder(padded.data()), Encoder(padded.data() + padded.size()));
@@ -113,9 +114,9 @@ std::string encode_base64(std::span<const std::byte> bytes) {
 std::string gzip_base64(std::string_view text) {
   constexpr int kGzip = 16, kWindowBits = 15, kMemoryLevel = 9;
   z_stream stream{};
-  // Since the parameters are valid and the buffer is large enough, a lack of memory is the only
-  // possible error. The highest compression level would make plotly.js 3 % smaller and take five
-  // times as long.
+  // Since the parameters of deflateInit2() are valid and the buffer is large enough, a lack of
+  // memory is the only possible error. The highest compression level of zlib would make plotly.js 3
+  // % smaller than the default level, and take five times as long.
   if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, kWindowBits + kGzip, kMemoryLevel,
                    Z_DEFAULT_STRATEGY) != Z_OK) {
     throw std::bad_alloc();

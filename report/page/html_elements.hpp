@@ -16,31 +16,31 @@ std::string escape_html(std::string_view text);
 
 std::string html_element(std::string_view tag, std::string_view text);
 
-/// Returns a closed <details> element; the text is empty if `html` is empty.
+/// Returns a closed HTML element <details>, or an empty text if `html` is empty.
 std::string collapsible_html(std::string_view id, std::string_view summary,
                              const std::string& html);
 
 enum class TextAlignment { left, right };
 
-/// A column of an HTML table: plain text, with one cell for each row.
+/// A column of an HTML table, with one cell of plain text for each row.
 struct HtmlTableColumn {
   std::string header;
   TextAlignment align = TextAlignment::right;
   std::vector<std::string> cells = {};
-  /// Whether the cells are names of statuses, which are shown in the colour of the status.
+  /// Whether the cells of the column are names of statuses, each shown in the colour of its status.
   bool is_status = false;
 };
 
-/// Returns an HTML table that scrolls on a narrow screen. The first column has the names of the
-/// rows. Columns without any value are omitted. The text is empty if the table has no rows, or no
-/// column besides the names.
+/// Returns an HTML table that scrolls on a narrow screen. The first column of the table contains
+/// the names of the rows. Columns without any value are omitted. The returned text is empty for a
+/// table without rows, or without columns besides the row names.
 std::string table_html(std::string_view caption, std::vector<HtmlTableColumn> columns);
 
 /// Encodes bytes in base64 (RFC 4648).
 std::string encode_base64(std::span<const std::byte> bytes);
 
 /// Compresses a text by gzip (RFC 1952) and encodes the result in base64. The script page.js
-/// decodes the result by DecompressionStream.
+/// decodes the compressed text by DecompressionStream.
 /// @throws std::bad_alloc
 std::string gzip_base64(std::string_view text);
 
@@ -50,11 +50,12 @@ struct PlotlyNumberArray {
   std::string bdata;
 };
 
-/// Converts numbers to an array of 32-bit floating-point numbers. The encoded numbers have seven
-/// significant digits and a third of the length of decimal text.
+/// Converts numbers to an array of 32-bit floating-point numbers. Numbers of 32 bits in base64 have
+/// seven significant digits and a third of the length of decimal text.
 PlotlyNumberArray encode_float_array(std::span<const double> values);
 
-/// Converts an array to the JSON object {"dtype", "bdata"}; nlohmann::json calls this function.
+/// Converts an array of numbers to the JSON object {"dtype", "bdata"}; nlohmann::json calls
+/// to_json().
 template <class Json>
 void to_json(Json& json, const PlotlyNumberArray& array) {
   json = {{"dtype", array.dtype}, {"bdata", array.bdata}};

@@ -20,8 +20,9 @@ using Json = nlohmann::ordered_json;
 using results::JointDensity;
 using transform::GridDensity;
 
-// Number of quantisation levels, which resolves differences down to 1e-8 of the largest difference.
-// Logarithmic maps show ratios in the tails, where the densities exceed this resolution.
+// Number of quantisation levels of heat maps, which resolves differences down to 1e-8 of the
+// largest difference. Logarithmic heat maps show ratios in the tails, where the densities exceed
+// 1e-8 of the largest difference.
 constexpr int kLevels = 4096;
 
 double l1_distance(const GridDensity& a, const GridDensity& b) {
@@ -69,10 +70,10 @@ bool has_same_cells(const GridDensity& a, const GridDensity& b) {
   return a.y_edges == b.y_edges && a.v_edges == b.v_edges;
 }
 
-// Returns the reference of the joint densities, usually the reference of the case. If this
-// reference has no joint density or is a simulation with control variates, another solution of the
-// full problem is preferred. Control variates reduce the sampling error of smooth bins, but not of
-// cells.
+// Returns the reference of the joint densities, usually the reference solution of the case. If the
+// reference of the case has no joint density or is a simulation with control variates, another
+// solution of the full problem is preferred. Control variates reduce the sampling error of averages
+// over smooth bins, but not of averages over cells.
 const transform::Solution* joint_reference(const results::CaseResult& case_result) {
   const transform::Solution* selected = nullptr;
   for (const auto* solution : solutions_of_full_problem(case_result)) {
@@ -107,8 +108,8 @@ std::optional<JointDensityHeatMaps> make_joint_density_maps(
     const JointDensity* joint = find_joint_density(case_result, id);
     if (joint == nullptr || !has_same_cells(joint->density, density)) continue;
     maps.differences.push_back(joint_difference(*joint, *reference, window));
-    // The integral over the cells of the phase plane does not include the rest atoms, which are
-    // single points.
+    // The integral over the cells of the phase plane does not include the atoms of mass at rest,
+    // which are single points.
     maps.differences.back().l1 +=
         compare::rest_atom_l1_distance(transform::find_solution(case_result.solutions, id)->atoms,
                                        reference_solution->atoms, transform::StateVariable::y);

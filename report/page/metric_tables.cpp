@@ -34,9 +34,9 @@ std::string_view metric_group(const std::string& path) {
   return std::string_view(path).substr(0, dot == std::string::npos ? 0 : dot);
 }
 
-// Returns the paths of metrics that have a value and repeat no option, in the order of the
-// solutions. Grouped metrics are last and sorted by group, since files keep only the order within a
-// group.
+// Returns the paths of those metrics of a family that have a value and repeat no option, in the
+// order of the solutions. Grouped metrics are last and sorted by group, since files of a run keep
+// only the order within a group.
 std::vector<std::string> metric_paths(const SolutionFamily& family) {
   std::vector<std::string> paths;
   std::set<std::string> paths_with_value;

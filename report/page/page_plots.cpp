@@ -21,8 +21,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Returns the position of the label beside a mark. The position differs between neighbouring marks
-// of a series and between series, so that fewer labels overlap.
+// Returns the position of the label beside a mark of a plot. The label position differs between
+// neighbouring marks of a series and between series, so that fewer labels overlap.
 const char* label_position(std::size_t series, std::size_t point) {
   constexpr std::array kSides{"top center", "bottom center", "top left", "bottom right"};
   return kSides[(series + point) % kSides.size()];
@@ -33,7 +33,8 @@ std::string axis_name(char letter, std::size_t row) {
   return row == 0 ? std::string(1, letter) : fmt::format("{}{}", letter, row + 1);
 }
 
-// Returns the error bars of a series: the lengths of the intervals above and below each point.
+// Returns the error bars of a series: the lengths of the confidence intervals above and below each
+// point.
 Json error_bars_json(const FigureSeries& series) {
   Json above = Json::array(), below = above;
   for (const auto& point : series.points) {
@@ -44,8 +45,8 @@ Json error_bars_json(const FigureSeries& series) {
           {"arrayminus", below}, {"thickness", 1},     {"width", 2}};
 }
 
-// Returns the trace of a bar series. Bars are horizontal on the page, since the names of bars are
-// long.
+// Returns the trace of a bar series. Bars are horizontal on the report page, since the names of
+// bars are long.
 Json bar_trace(const FigureSeries& series) {
   constexpr double kPaleOpacity = 0.4;
   Json x = Json::array(), y = x, widths = x, names = x, opacities = x;
@@ -72,7 +73,7 @@ Json bar_trace(const FigureSeries& series) {
       {"hovertemplate", "%{customdata}: %{x:.3g}"}};
 }
 
-/// The traces of one plot, and the arrays of numbers that its traces share.
+/// The plotly.js traces of one plot, and the arrays of numbers that these traces share.
 class PlotlyTraces {
  public:
   void add(const FigurePanel& panel, std::size_t row) {
@@ -105,8 +106,8 @@ class PlotlyTraces {
     traces_.push_back(std::move(trace));
   }
 
-  // Returns one coordinate of the points of a series. Long arrays are stored once and referred to
-  // by name.
+  // Returns the x or y coordinates of the points of a series. Long arrays of coordinates are stored
+  // once and referred to by name.
   Json coordinates(const FigureSeries& series, double FigurePoint::*member) {
     constexpr std::size_t kLong = 50;
     std::vector<double> values;
@@ -119,8 +120,8 @@ class PlotlyTraces {
   }
 
   void add_band(const FigureSeries& series, const FigurePanel& panel, std::size_t row) {
-    // Ends of confidence intervals that are <= 0 are replaced by a value far below the logarithmic
-    // axis.
+    // On a logarithmic axis, ends of confidence intervals that are <= 0 are replaced by a value far
+    // below the axis.
     const double least =
         panel.y.is_logarithmic ? 1e-5 * panel.y.from : -std::numeric_limits<double>::infinity();
     for (const bool is_upper : {false, true}) {
@@ -154,7 +155,8 @@ class PlotlyTraces {
                                  [&](const FigurePoint& point) { return !(point.*text).empty(); });
     };
     const bool has_labels = any_has(&FigurePoint::label);
-    // Sparse marks are omitted, since colours and the mouse pointer distinguish lines on the page.
+    // Sparse marks on lines are omitted, since colours and the mouse pointer distinguish lines on
+    // the report page.
     const bool has_marks = !series.symbol.empty() && (series.dash.empty() || series.mark_step == 1);
     std::string mode = series.dash.empty() ? "" : "lines";
     if (has_marks) mode += mode.empty() ? "markers" : "+markers";
@@ -229,14 +231,14 @@ bool has_named_points(const FigurePanel& panel) {
   });
 }
 
-// Returns the plotly.js layout of a plot whose rows are panels, from the lowest row.
+// Returns the plotly.js layout of a plot whose rows are panels, beginning with the lowest row.
 Json layout_json(std::span<const FigurePanel> rows) {
   constexpr double kGap = 0.07;  // gap between rows, as a fraction of the plot height
   const bool is_single = rows.size() == 1;
   const double height = (1 + kGap) / static_cast<double>(rows.size()) - kGap;
   Json layout = Json::object();
-  // If the points of the series have no names, one label shows the values of all curves at an
-  // abscissa.
+  // If the points of a series have no names, one label on the plot shows the values of all curves
+  // at an abscissa.
   if (std::ranges::any_of(rows, has_named_points)) layout["hovermode"] = "closest";
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const FigurePanel& panel = rows[row];

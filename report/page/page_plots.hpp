@@ -11,10 +11,10 @@ namespace fpkcheck::report {
 struct ReportPagePlot {
   std::string id;       ///< id of the HTML element of the plot
   std::string caption;  ///< caption of the plot, plain text
-  /// JSON for plotly.js with the keys "data" (traces), "layout" and "arrays" (numbers that several
-  /// traces share). In a trace, the text "@name" represents the array with the key `name`. The
-  /// "height" of the plot, in pixels, excludes the legend. Traces with the same "legendgroup" are
-  /// hidden or shown together in all plots of a case.
+  /// A plot as JSON for plotly.js, with the keys "data" (traces), "layout" and "arrays" (numbers
+  /// that several traces share). In a plotly.js trace, the text "@name" represents the array of
+  /// numbers with the key `name`. The value "height" of a plot, in pixels, excludes the legend.
+  /// Traces with the same "legendgroup" are hidden or shown together in all plots of a case.
   std::string figure;
 };
 
@@ -35,8 +35,8 @@ std::string enhanced_text_to_plotly(std::string_view enhanced);
 /// Converts a dash type of gnuplot, such as "(10,4)", to a dash type of plotly.js, "10px,4px".
 std::string plotly_dash_type(const std::string& gnuplot_dash);
 
-/// Converts a figure to plots of the report page. Each panel with an id gives a plot, and
-/// consecutive panels with the same id are the rows of one plot.
+/// Converts a figure to plots of the report page. Consecutive panels of the figure with the same id
+/// become the rows of one plot, and panels without an id are omitted.
 /// @param prefix prefix of the ids of the plots
 std::vector<ReportPagePlot> make_page_plots(const Figure& figure, const std::string& prefix);
 

@@ -66,14 +66,14 @@ class FormulaTypesetter {
     const std::size_t begin = at_;
     while (at_ < text_.size() && is_word(text_[at_])) {
       ++at_;
-      // The sign of an exponent, as in 1e-3, belongs to the number.
+      // The sign of a decimal exponent, as in 1e-3, belongs to the number.
       const bool is_exponent = is_digit(text_[begin]) && std::tolower(text_[at_ - 1]) == 'e';
       if (is_exponent && at_ < text_.size() && (text_[at_] == '-' || text_[at_] == '+')) ++at_;
     }
     return text_.substr(begin, at_ - begin);
   }
-  // Typesets the text within the parentheses that open at the current position. The result excludes
-  // the parentheses.
+  // Typesets the text within the parentheses that open at the current position, without the
+  // parentheses.
   std::string take_parenthesised() {
     std::size_t end = ++at_;
     for (int depth = 1; end < text_.size(); ++end) {
@@ -175,8 +175,7 @@ class EquationOfMotionHtml {
     }
     return symbols;
   }
-  // Returns the text of a formula if all problems have the same formula; otherwise the result is
-  // empty.
+  // Returns the text of a formula if all problems have the same formula; otherwise an empty result.
   template <class Text>
   std::optional<std::string> common_formula_text(const Text& text) const {
     const std::optional<std::string> first = text(*problems_.front());

@@ -94,7 +94,8 @@ std::string budget_parts_html() {
   return html + kUncertaintyDefinition + "</dl>\n";
 }
 
-// Returns the value of a parameter in another problem; empty if this problem lacks the parameter.
+// Returns the value of a parameter in another problem; empty if the other problem lacks the
+// parameter.
 std::optional<base::Value> value_in_problem(const Problem& other,
                                             const ReportedParameter& parameter) {
   for (const auto& candidate : problem::parameters_for_reports(other)) {

@@ -45,8 +45,8 @@ struct ReportCaseSubsection {
   std::string anchor, name;
 };
 
-/// The section of a case with its plots. The density plots come first; all other subsections are
-/// closed <details> elements.
+/// The section of a case with its plots. The density plots of a case come first; all other
+/// subsections are closed <details> elements.
 class ReportCaseSection {
  public:
   ReportCaseSection(const results::Run& run, const results::CaseResult& case_result,
@@ -141,8 +141,9 @@ std::string section_html(const ReportPageSection& section) {
          html_element("h2", section.heading) + section.html + "</section>\n";
 }
 
-// Returns links to the sections of the page. If the run has few cases, the sections have direct
-// links. A menu lists all cases with their parameters and subsections.
+// Returns links to the sections of the report page. If the run has few cases, the sections of the
+// cases have direct links. The navigation menu lists all cases with their parameters and
+// subsections.
 std::string navigation_html(const results::Run& run, const std::vector<ReportCaseSection>& sections,
                             const std::vector<ReportPageSection>& others) {
   constexpr std::size_t kMaxDirectLinks = 6;
