@@ -9,13 +9,15 @@
 
 namespace fpkcheck::report {
 
-/// Returns the solutions of the full problem, with which tables and sentences compare all other
-/// solutions. The reference of the case is the first solution of the list. All further solutions
-/// keep their order in the case. The list of solutions is empty if the case has no reference.
+/// Returns the solutions of the full problem (exact impulses and impacts), with which reports
+/// compare all other solutions. The first solution of the returned list is the reference solution
+/// of the case. After the reference solution, the list keeps the order of the solutions in the
+/// case. The list of solutions is empty if a case has no reference solution.
 std::vector<const transform::Solution*> solutions_of_full_problem(
     const results::CaseResult& case_result);
 
-/// Returns a sentence on the reference and the reason for its selection.
+/// Returns a sentence that names the reference solution of a case and states the reason for its
+/// selection.
 std::string reference_description_text(const results::CaseResult& case_result);
 
 struct SolutionFamily {
@@ -23,8 +25,8 @@ struct SolutionFamily {
   std::vector<const transform::Solution*> solutions;
 };
 
-/// Groups solutions by family. The order of the families is the order of their first members in
-/// `solutions`.
+/// Groups solutions by family. The solution families are sorted by the position of their first
+/// solution in `solutions`.
 std::vector<SolutionFamily> group_by_family(
     const std::vector<const transform::Solution*>& solutions);
 std::vector<SolutionFamily> group_by_family(std::span<const transform::Solution> solutions);
@@ -40,14 +42,16 @@ struct SolutionStatusReason {
 std::vector<SolutionStatusReason> group_status_reasons(const results::CaseResult& case_result);
 
 /// Returns the walls at which a solution of the case has an atom (mass at rest in contact), in
-/// increasing order. For the cases of the paper the list of walls is empty.
+/// increasing order. In the paper's four cases no mass rests in contact, and the list of walls is
+/// empty.
 std::vector<double> walls_with_rest_atoms(const results::CaseResult& case_result);
 
-/// Returns the header of the column of a wall: "P(rest)", or "P(rest at -0.5)" if several walls
-/// have atoms.
+/// Returns the table header for the probability of rest at a wall: "P(rest)", or "P(rest at -0.5)"
+/// if several walls have atoms.
 std::string rest_probability_header(const results::CaseResult& case_result, double wall);
 
-/// Returns the probability of rest at a wall; NaN if the solution has no atom at the wall.
+/// Returns the probability that the mass rests at a wall, or NaN for a solution without an atom at
+/// the wall.
 double rest_atom_probability(const transform::Solution& solution, double wall);
 
 }  // namespace fpkcheck::report

@@ -46,8 +46,8 @@ std::optional<double> l1_standard_error(const CaseResult& case_result, const Sol
   return pair == nullptr ? std::nullopt : pair->l1_standard_error;
 }
 
-/// Returns whether the distances of two solutions are over smooth bins. Only distances over smooth
-/// bins have standard errors.
+/// Returns whether the L1 distances of two solutions are computed over smooth bins (B-spline
+/// weights). Only L1 distances over smooth bins have standard errors.
 bool has_smooth_distances(const CaseResult& case_result, const Solution& a, const Solution& b) {
   return l1_standard_error(case_result, a, b, StateVariable::y) &&
          l1_standard_error(case_result, a, b, StateVariable::ydot);
@@ -139,12 +139,12 @@ void add_residual_based_errors(const CaseResult& case_result, Sentences& sentenc
     largest_gap = std::max({largest_gap, std::abs(solution.moments.y2 - first->corrected.y2),
                             std::abs(solution.moments.v2 - first->corrected.v2)});
   }
-  // Returns the number of significant digits that the simulation confirms, or the default number
+  // Returns the number of significant digits that the simulation confirms, or a default number
   // without a simulation.
   const auto digits = [&](double value) {
     constexpr int kDefaultDigits = 7, kMaxDigits = 10;
     if (!(largest_gap > 0)) return kDefaultDigits;
-    // The number of digits may be infinite before the clamp.
+    // The number of confirmed digits may be infinite before the clamp.
     const double confirmed_digits = 1 + std::trunc(std::log10(std::abs(value) / largest_gap));
     return confirmed_digits > 2 ? static_cast<int>(std::min<double>(confirmed_digits, kMaxDigits))
                                 : 2;
@@ -178,8 +178,8 @@ void add_closest_closures(const CaseResult& case_result, Sentences& sentences) {
                     l1_distances_text(MarginalDistances{nearest->y, nearest->ydot})));
     return;
   }
-  // Each group has the closest closure to the reference and all closures that are indistinguishable
-  // from this closure, for one family and formulation.
+  // Each group has, for one family and formulation, the closest closure to the reference and all
+  // closures that are indistinguishable from the closest closure.
   std::map<std::pair<std::string, std::string>, std::vector<const compare::SolutionAssessment*>>
       groups;
   bool several = false;
@@ -259,8 +259,8 @@ MarginalDistances largest_explained_l1_distance(const Solution& one, const Solut
           compare::largest_explained_l1_distance(one, other, StateVariable::ydot, smooth)};
 }
 
-// Returns the clause on the errors of a distance: "; source expected; all errors explain up to ..,
-// exceeded by chance in 1 run of 1000: the densities agree".
+// Returns the clause on the errors of an L1 distance: "; source expected; all errors explain up to
+// .., exceeded by chance in 1 run of 1000: the densities agree".
 std::string agreement_text(const MarginalDistances& gap, const MarginalDistances& expected,
                            const MarginalDistances& explained, const std::string& error_source) {
   const auto within = [](const auto& difference, const auto& most) {
@@ -280,8 +280,8 @@ struct L1ErrorMeasuredBySimulation {
   double l1, error, chance, stated;
   bool explained;  ///< whether the errors of both solutions explain l1 (compare/agreement.hpp)
 
-  /// Returns whether the L1 error exceeds three expected sampling errors of the simulation. A
-  /// smaller L1 error is mostly sampling error.
+  /// Returns whether the L1 error of a solution exceeds three expected sampling errors of the
+  /// simulation. An L1 error below three expected sampling errors is mostly sampling error.
   bool is_significant() const { return l1 > 3 * chance; }
   bool exceeds_stated_error() const { return std::isfinite(stated) && !explained; }
 };
@@ -299,7 +299,7 @@ L1ErrorMeasuredBySimulation measure_l1_error(const CaseResult& case_result,
       .explained = !most || l1 <= *most};
 }
 
-// Returns the text of an error: "2.7e-05 +- 5e-07 in p(y) (estimate 2.8e-05)".
+// Returns the text of a measured L1 error: "2.7e-05 +- 5e-07 in p(y) (estimate 2.8e-05)".
 std::string measured_error_text(const L1ErrorMeasuredBySimulation& marginal_error,
                                 StateVariable variable) {
   const std::string stated = std::isfinite(marginal_error.stated)
@@ -366,8 +366,8 @@ void add_distances_of_external_densities(const CaseResult& case_result, Sentence
     for (const Solution* reference : all) {
       const MarginalDistances gap = l1_distances(case_result, given, *reference);
       if (!gap.has_any_distance()) continue;
-      // The comparison covers only those marginal densities for which the external density has
-      // standard errors.
+      // The comparison with an external density covers only those marginal densities for which the
+      // external density has standard errors.
       const bool smooth = has_smooth_distances(case_result, given, *reference);
       const MarginalDistances own = sampling_errors(given);
       MarginalDistances other = sampling_errors(*reference, smooth);

@@ -28,18 +28,15 @@ namespace fpkcheck::report {
 ///   file name `X.file`).
 std::vector<std::string> case_finding_sentences(const results::CaseResult& case_result);
 
-/// Returns sentences on the guaranteed bounds of the moments of a case. If the computation of
-/// bounds was omitted, the list is empty.
-///
-/// - First, one sentence states each wrong solution of the full problem. A wrong solution has a
-/// moment that is outside the guaranteed bounds by more than its error estimate.
-/// - Then one sentence states the bounds of E[y^2] and E[y'^2], and the approximations with a
-///   moment outside its bounds.
-/// - If the computation gave no bounds, the only sentence states the reason.
+/// Returns sentences on the guaranteed bounds of the moments of a case. The list of sentences is
+/// empty if the computation of bounds was omitted; without bounds, a sentence states the reason.
+/// The first sentences state each solution of the full problem with a moment that is outside the
+/// guaranteed bounds by more than its error estimate. The last sentence states the bounds of E[y^2]
+/// and E[y'^2], and the approximations with a moment outside its bounds.
 std::vector<std::string> guaranteed_bounds_findings(const results::CaseResult& case_result);
 
-/// Returns a text table of the guaranteed bounds. Each row has the lower bound, upper bound, and
-/// absolute and relative half-width for one functional.
+/// Returns a text table of the guaranteed bounds. Each row of the table has the lower bound, upper
+/// bound, and absolute and relative half-width for one functional.
 std::string guaranteed_bounds_table(const problem::Problem& problem,
                                     const compare::GuaranteedBounds& bounds,
                                     const TerminalTextFormat& format);

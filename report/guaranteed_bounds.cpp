@@ -47,8 +47,9 @@ std::vector<std::string> guaranteed_bounds_findings(const results::CaseResult& c
     sentences.push_back(contradiction_text(violation));
   }
   for (const BoundViolation& violation : compare::bound_violations(bounds, case_result.solutions)) {
-    // Violations by solutions of the full problem are skipped. Violations above the error estimate
-    // are already reported, and violations below the error estimate do not contradict the bounds.
+    // Violations of the guaranteed bounds by solutions of the full problem are skipped. Violations
+    // of bounds above the error estimate are already reported, and violations below the error
+    // estimate do not contradict the bounds.
     if (compare::is_solution_of_full_problem(*violation.solution)) continue;
     if (ids.empty() || ids.back() != violation.solution->id())
       ids.push_back(violation.solution->id());

@@ -114,8 +114,8 @@ std::string error_budget_table_legend(const std::vector<TextTableColumn>& budget
   }
   for (const auto& [approximation, name, meaning] : compare::kApproximationNames) {
     const std::string header = error_budget_part_header(std::string(name));
-    // If the solution between two approximations is missing, the approximations share a column:
-    // closure + impact.
+    // If the solution between two approximations is missing, the approximations share a table
+    // column "closure + impact".
     if (!has_header_containing(budgets, header) && !has_header_containing(budgets, name)) continue;
     text += fmt::format("; {}: {}", header, meaning);
     if (approximation == ModelApproximation::closure)

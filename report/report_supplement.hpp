@@ -12,21 +12,21 @@ struct ReportSupplementFile {
   std::string name, text;
 };
 
-/// A section that a command adds to the page of a run.
+/// A section that a command such as `paper` adds to the report page of a run.
 struct ReportPageSection {
   std::string anchor;  ///< id of the HTML element of the section, for links
   std::string heading;
-  /// Content of the section below the heading, including plots_html() of all plots.
+  /// HTML of the page section below its heading, including plots_html() of all plots.
   std::string html;
-  /// Groups of plots. A click on a legend entry hides or shows its curves in all plots of the
-  /// group.
+  /// Groups of plots. A click on a legend entry of a plot hides or shows its curves in all plots of
+  /// the group.
   std::vector<std::vector<ReportPagePlot>> groups;
 };
 
 /// The texts, files, pictures and page sections that a command adds to the report of a run.
 struct ReportSupplement {
-  /// The result of the command in sentences, printed before the tables. The page begins with the
-  /// first sentence.
+  /// Result of the command in sentences, printed before the tables of the run. The first sentence
+  /// of the summary begins the report page.
   std::vector<std::string> summary;
   std::string text;
   std::vector<ReportPageSection> sections;

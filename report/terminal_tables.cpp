@@ -31,10 +31,11 @@ std::string seconds_cell_text(double x) {
 std::vector<TextTableColumn> solution_columns(const results::CaseResult& case_result) {
   constexpr int kEnergy = 1, kOtherReference = 2, kSeconds = 3, kSolves = 4, kMoments = 5;
   std::vector<TextTableColumn> all;
-  // Adds a column unless it has no values, such as the distances from the only solution of a case.
+  // Adds a table column unless it has no values, such as the distances from the only solution of a
+  // case.
   const auto add = [&](TextTableColumn column, const auto& cell) {
     for (const auto& solution : case_result.solutions) {
-      // A line with the reason replaces the row of a solution that is not applicable.
+      // A line with the reason replaces the table row of a solution that is not applicable.
       if (solution.status == transform::Status::not_offered) continue;
       column.cells.push_back(cell(solution));
     }

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPageFile = "report.html";
 
-// Returns the run saved in the directory, or nothing if the directory has no readable summary.
+// Returns the run saved in a directory, or nothing if the directory has no readable summary.
 // Pictures in a directory without a readable summary are kept, since these pictures may belong to
 // another program.
 std::optional<results::Run> load_earlier_run(const fs::path& directory) {
@@ -57,8 +57,8 @@ ReportRebuiltFromFiles rebuild_report(const fs::path& directory, const results::
                                       const TerminalTextFormat& format,
                                       const FigureOptions& figures,
                                       const ReportSupplement& supplement) {
-  // The terminal text is made before any file is written, so that an exception leaves all files
-  // unchanged.
+  // The terminal text of a report is made before any file is written, so that an exception leaves
+  // all files unchanged.
   ReportRebuiltFromFiles again{terminal_report_text(run, supplement, format), {}};
   base::FileTransaction files;
   files.add(directory / kPageFile, report_page_html(run, supplement));

@@ -12,10 +12,10 @@
 namespace fpkcheck::report {
 
 /// Writes marginals.csv, joint.nc, summary.json, report.html and figures/ into a directory that
-/// results::prepare_output_directory() prepared. The function replaces either all files of an
-/// earlier run in the directory or none of these files. Pictures and joint densities of the earlier
-/// run are removed. After a stop request (base/process/stop_request.hpp) no pictures are drawn and
-/// no warning is returned.
+/// results::prepare_output_directory() prepared. The function write_report() replaces either all
+/// files of an earlier run in the directory or none of these files. Pictures and joint densities of
+/// an earlier run in the directory are removed. After a stop request
+/// (base/process/stop_request.hpp) no pictures are drawn and no warning is returned.
 /// @param supplement texts and files of a command, written together with the files of the run
 /// @return warnings about pictures that could not be drawn, one line each
 /// @throws std::runtime_error if a file cannot be written
@@ -33,8 +33,8 @@ struct ReportRebuiltFromFiles {
   std::vector<std::string> warnings;  ///< warnings about pictures, one line each
 };
 
-/// Rebuilds the terminal text of a saved run without solving the problems again. The page, the
-/// pictures and the files of the supplement are written again.
+/// Rebuilds the terminal text of a saved run without solving the problems again. The report page,
+/// the pictures and the files of the supplement are written again.
 /// @param run run that results::load_run() read from the directory
 /// @throws std::runtime_error if a file cannot be written
 ReportRebuiltFromFiles rebuild_report(const std::filesystem::path& directory,

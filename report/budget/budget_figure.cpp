@@ -21,13 +21,15 @@ using compare::ErrorBudgetRow;
 using transform::StateVariable;
 using transform::Status;
 
-// Width of the group of bars of a closure, relative to the distance between neighbouring groups.
+// Width of the group of bars of a closure, relative to the distance between neighbouring groups of
+// bars.
 constexpr double kGroupWidth = 0.8;
-// The axis range excludes parts of the error budget below this fraction of the largest total
-// distance, since small parts would compress all other bars.
+// The axis excludes parts of the error budget below the fraction kSmallestFraction of the largest
+// total distance, since small parts would compress all other bars.
 constexpr double kSmallestFraction = 1e-4;
 
-/// The kind of distance of a panel: the L1 distance, or the mean logarithmic ratio in the tail.
+/// The kind of distance in a panel of the error budget: the L1 distance, or the mean logarithmic
+/// ratio in the tail.
 struct ErrorBudgetDistanceKind {
   const char* title;  ///< second part of the title of the panel
   const char* label;
@@ -56,8 +58,8 @@ constexpr ErrorBudgetBarStyle kBarStyles[] = {
     {compare::ModelApproximation::sampling, "#CC79A7", "x"}};
 static_assert(std::size(kBarStyles) == std::size(compare::kApproximationNames));
 
-// Returns the series of a part of the error budget, without points. A part of the error budget that
-// combines the errors of several approximations is grey.
+// Returns the series of a part of the error budget in a figure, without points. A part of the error
+// budget that combines the errors of several approximations is grey.
 FigureSeries budget_part_series(const std::string& part) {
   FigureSeries series{
       .name = part, .group = "part " + part, .colour = "#999999", .is_bars = true, .hatch = "."};
@@ -76,7 +78,7 @@ FigureAxis budget_distance_axis(const char* label, const std::vector<FigureSerie
   const auto [least, greatest] = coordinate_range(all, &FigurePoint::y);
   if (greatest < least) return {label, 1e-5, 1, true};
   const double from = std::max(least, kSmallestFraction * greatest);
-  // The factors 0.8 and 1.2 leave space below the lowest and above the highest bar.
+  // The factors 0.8 and 1.2 leave space below the lowest bar and above the highest bar.
   return {label, std::pow(10, std::floor(std::log10(0.8 * from))),
           std::pow(10, std::ceil(std::log10(1.2 * greatest))), true};
 }
@@ -94,8 +96,9 @@ FigureAxis closure_axis(const std::vector<ClosureErrorBudget>& budgets) {
   return axis;
 }
 
-// Adds the bars of one closure, side by side with equal widths, and the line at the total distance
-// of the closure. Values that are not positive are omitted, since the axis is logarithmic.
+// Adds the bars of the error budget of one closure, side by side with equal widths, and a line at
+// the total distance of the closure. Distances that are not positive are omitted, since the axis is
+// logarithmic.
 void add_closure_bars(std::vector<FigureSeries>& all, const ErrorBudgetRow& row, double centre,
                       bool is_open, const ErrorBudgetDistanceKind& distance) {
   const double width = kGroupWidth / static_cast<double>(row.parts.size());
@@ -169,7 +172,7 @@ Figure error_budget_figure(const results::CaseResult& case_result, FigureWidth w
   if (budgets.empty()) return figure;
   for (const StateVariable variable : transform::kVariables) {
     figure.panels.push_back(budget_panel(budgets, variable, kL1));
-    // A figure for a single journal column is too narrow for the panels of the tail distances.
+    // A figure for a single journal column is too narrow for the panels of tail distances.
     if (width == FigureWidth::one_column) continue;
     figure.panels.push_back(budget_panel(budgets, variable, kTail));
   }

@@ -41,8 +41,8 @@ bool is_common_to_closures(const std::vector<ClosureErrorBudget>& budgets,
   });
 }
 
-/// Builds the table columns of one marginal density. A column has a cell for each closure, then a
-/// cell for each part of the error budget whose value all closures share.
+/// Builds the columns of the error budget table for one marginal density. A table column has a cell
+/// for each closure, then a cell for each part of the error budget whose value all closures share.
 class ErrorBudgetTableColumns {
  public:
   ErrorBudgetTableColumns(const std::vector<ClosureErrorBudget>& budgets,

@@ -11,7 +11,7 @@ namespace {
 
 bool is_finite_number(const std::optional<double>& value) { return value && std::isfinite(*value); }
 
-// Removes the leading zeros of the exponent: "1.2e-05" becomes "1.2e-5".
+// Removes the leading zeros of a decimal exponent: "1.2e-05" becomes "1.2e-5".
 std::string without_padded_exponent(std::string text) {
   const auto e = text.find('e');
   if (e == std::string::npos || e + 2 >= text.size()) return text;
@@ -20,9 +20,9 @@ std::string without_padded_exponent(std::string text) {
   return text;
 }
 
-// Removes a decimal point that no digits follow. The format flag "#" keeps trailing zeros and the
-// decimal point, after which some versions of fmt add a zero. With three digits both "150." and
-// "150.0" become "150".
+// Removes a decimal point without digits after the point from the text of a number. In fmt, the
+// format flag "#" keeps trailing zeros and the decimal point, after which some versions of fmt add
+// a zero. With three significant digits both "150." and "150.0" become "150".
 std::string without_bare_point(std::string text, int digits) {
   const auto point = text.find('.');
   if (point == std::string::npos) return text;
@@ -72,8 +72,8 @@ IntervalText round_interval_outward(double lower, double upper) {
       width > 0 ? std::clamp(1 - static_cast<int>(std::floor(std::log10(width))), 0, kMostDecimals)
                 : kMostDecimals;
   const double unit = std::pow(10.0, decimals);
-  // The function fma gives the sign of the rounding error of the product, and thus the direction of
-  // the correction.
+  // The function fma gives the sign of the rounding error of a product, and thus the direction in
+  // which a rounded end is corrected.
   double down = std::floor(lower * unit), up = std::ceil(upper * unit);
   if (down == lower * unit && std::fma(lower, unit, -down) < 0) down -= 1;
   if (up == upper * unit && std::fma(upper, unit, -up) > 0) up += 1;

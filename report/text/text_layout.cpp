@@ -133,7 +133,7 @@ std::string format_text_table(std::vector<TextTableColumn> columns,
 }
 
 std::string wrap_text(std::string_view text, std::size_t width, std::size_t indent) {
-  // The first line keeps the leading spaces of the text.
+  // The first line of a wrapped text keeps the leading spaces of the text.
   const std::size_t first_word = text.find_first_not_of(' ');
   std::string result, line(first_word == std::string_view::npos ? 0 : first_word, ' ');
   bool line_is_empty = true;

@@ -102,8 +102,8 @@ bool is_single_external_density(const SolutionAgreementOverCases& row) {
   return transform::is_external(*row.identity) && !differs_by_order_in_family(row);
 }
 
-// Returns the text of the orders that reproduce the references: "epc-gaussian (the paper's closure)
-// at n = 6, not at n = 2, 4, 8".
+// Returns the text of the closure orders that reproduce the reference solutions: "epc-gaussian (the
+// paper's closure) at n = 6, not at n = 2, 4, 8".
 // @param any receives whether at least one order reproduces the references
 std::string reproducing_orders_text(const std::vector<const SolutionAgreementOverCases*>& members,
                                     bool& any) {
@@ -145,7 +145,7 @@ MethodVerdictLine verdict_line(const SolutionAgreementOverCases& row, const std:
           solution_outcome_text(row, reference, cases)};
 }
 
-// Returns the line with the largest distance for each order of a formulation: "n = 4 has L1
+// Returns the verdict line with the largest distance for each order of a formulation: "n = 4 has L1
 // distance 0.0089, 8 has 0.0017".
 MethodVerdictLine verdict_line(const std::vector<const SolutionAgreementOverCases*>& members,
                                int cases) {

@@ -17,8 +17,8 @@ using results::SolutionAgreementOverCases;
 /// Returns the text of the L1 distances of p(y) and p(y'): "0.0061 in p(y) and 0.0051 in p(y')".
 std::string l1_distances_text(const MarginalDistances& distances);
 
-/// Returns the phrase for a number of cases: " in all 4 cases" or " in 2 of 4 cases". The phrase is
-/// empty for a run of a single case.
+/// Returns the phrase for a number of cases: " in all 4 cases" or " in 2 of 4 cases". For a run of
+/// a single case the phrase on the number of cases is empty.
 std::string case_count_text(int count, int cases);
 
 /// Returns the outcome of a solution over the cases in words: "reproduced: .." with the largest L1
@@ -32,12 +32,14 @@ std::string solution_outcome_text(const SolutionAgreementOverCases& row,
 /// found".
 std::string outcome_text_without_distances(const SolutionAgreementOverCases& row, int cases);
 
-/// Returns the mark beside the distances of a solution in the matrix of the verdict. A mark
-/// indicates a status other than `ok`, or that the solution is indistinguishable from the
-/// reference. For all other solutions the mark is a blank.
+/// Returns the mark beside the L1 distances of a solution in the verdict's matrix of solutions and
+/// cases. A mark in the verdict indicates a status other than `ok`, or that the solution is
+/// indistinguishable from the reference solution. A solution that is `ok` and distinguishable from
+/// the reference solution has a blank as mark.
 char agreement_symbol(const SolutionAgreementInCase& entry);
 
-/// Returns the marks in the matrix of the verdict with their meanings, such as "~ inaccurate".
+/// Returns the marks in the verdict's matrix of solutions and cases with their meanings, such as "~
+/// inaccurate".
 std::vector<std::string> agreement_symbol_meanings(
     const std::vector<SolutionAgreementOverCases>& agreement_rows);
 
@@ -48,31 +50,32 @@ struct MethodVerdictLine {
   std::string outcome;  ///< "reproduced: L1 distance at most 0.0061 in p(y) and 0.0051 in p(y')"
 };
 
-/// The main result of a run, printed before all tables.
+/// The main result (verdict) of a run, printed before all tables.
 struct RunVerdict {
-  /// Rows of the matrix of the verdict, one for each solution.
+  /// Rows of the verdict's matrix of L1 distances, one for each solution.
   std::vector<SolutionAgreementOverCases> agreement_rows;
-  /// Paragraphs on contradictions with the guaranteed bounds, on the accuracy of the reference, and
-  /// on the solutions that reproduce the reference.
+  /// Paragraphs on contradictions with the guaranteed bounds, on the accuracy of the reference
+  /// solution, and on the solutions that reproduce the reference solution.
   std::vector<std::string> answer;
-  /// Outcomes of the methods, one line each. There is a line for each order of the paper's closure
-  /// (with the impact condition to first order in 1-r), for each further formulation, for each
-  /// approximate equation, and for each external density or family of densities.
+  /// Outcomes of the methods, one line each. The verdict has a line for each order of the paper's
+  /// closure (with the impact condition to first order in 1-r), for each further formulation, for
+  /// each approximate equation, and for each external density or family of densities.
   std::vector<MethodVerdictLine> lines;
-  /// Sentences that recommend the solution for reference values and the fastest method of
-  /// sufficient accuracy, with the reasons.
+  /// Sentences that recommend a solution for reference values and the fastest method of sufficient
+  /// accuracy, with the reasons.
   std::vector<std::string> recommendation;
 };
 
 RunVerdict make_run_verdict(const results::Run& run);
 
-/// Returns the answer of the verdict in plain text, broken into lines.
+/// Returns the main result of a run, RunVerdict::answer, in plain text, broken into lines.
 std::string verdict_answer_text(const RunVerdict& run_verdict, const TerminalTextFormat& format);
 
-/// Returns the verdict as plain ASCII text. A run of several cases has a matrix with one row for
-/// each solution. The row of a solution has the L1 distances of p(y) and p(y') from the reference
-/// of each case. As many cases as fit are side by side. Below the matrix are the meanings of its
-/// marks, the lines of the verdict and the recommendation.
+/// Returns the verdict on a run as plain ASCII text. The verdict on several cases has a matrix with
+/// one row for each solution. The matrix row of a solution has the L1 distances of p(y) and p(y')
+/// from the reference solution of each case. As many cases as fit are side by side. Below the
+/// matrix of L1 distances are the meanings of its marks, the lines of the verdict and the
+/// recommendation.
 std::string run_verdict_text(const results::Run& run, const RunVerdict& run_verdict,
                              const TerminalTextFormat& format);
 

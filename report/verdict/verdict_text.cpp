@@ -12,8 +12,8 @@
 namespace fpkcheck::report {
 namespace {
 
-// Returns the text of a distance in six characters: "0.0043", "7.2e-4". With two significant digits
-// four cases fit into 80 characters.
+// Returns the text of an L1 distance in six characters: "0.0043", "7.2e-4". With two significant
+// digits, the L1 distances of four cases fit into 80 characters.
 std::string short_l1_text(const std::optional<double>& l1) {
   if (!l1) return kMissingCell;
   if (*l1 == 0 || *l1 >= 0.001) return fmt::format("{:.2g}", *l1);
@@ -47,7 +47,7 @@ std::size_t matrix_width(const std::vector<TextTableColumn>& columns) {
   return total - 1;
 }
 
-// Each block of the matrix has as many cases as fit into the width.
+// Each block of the verdict's matrix has as many cases as fit into the text width.
 std::string matrix_blocks(const results::Run& run,
                           const std::vector<SolutionAgreementOverCases>& all,
                           const TerminalTextFormat& format) {
