@@ -16,8 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using transform::Solution;
 
-// Removes an external density, which the check cannot compute again, and all results about this
-// density.
+// Removes an external density, which `fpkcheck check` cannot compute again, and all results about
+// this density.
 void remove_solution(results::CaseResult& case_result, const std::string& id) {
   std::erase_if(case_result.solutions, [&](const auto& solution) { return solution.id() == id; });
   std::erase_if(case_result.pairs, [&](const auto& pair) { return pair.a == id || pair.b == id; });
@@ -44,8 +44,8 @@ void require_complete_simulation(const Solution& solution) {
   }
 }
 
-// External densities have no method of computation. They are removed from the case, and a note
-// states the removal.
+// External densities of a baseline run have no method of computation. External densities are
+// removed from the case, and a note states the removal.
 BaselineCaseToRepeat plan_repetition(results::CaseResult& case_result,
                                      const methods::SolverRegistry& registry,
                                      const base::Values& option_overrides,

@@ -99,7 +99,7 @@ std::string quantity_kind_table(const BaselineCheckResult& check,
   return report::format_text_table(std::move(columns), format);
 }
 
-// Returns the changes between two runs that are largest in units of their tolerance, in the order
+// Returns those changes between two runs that are largest in units of their tolerance, in the order
 // of the run.
 std::vector<CheckedQuantityChange> largest_changes(const std::vector<CheckedQuantityChange>& moved,
                                                    std::size_t most) {

@@ -12,7 +12,7 @@ namespace fpkcheck::check {
 
 struct BaselineCheckResult {
   BaselineCheckTolerances tolerances;
-  /// all compared quantities, in the order of the baseline
+  /// All compared quantities, in the order of the baseline run.
   std::vector<CheckedQuantityChange> changes;
   std::size_t solutions;  ///< number of solutions in the baseline
   std::vector<std::string> notes;
@@ -30,26 +30,27 @@ BaselineCheckResult compare_runs(const results::Run& baseline, const results::Ru
                                  const BaselineCheckTolerances& tolerances,
                                  bool with_marginals = true);
 
-/// Returns the quantities with changes above tolerance, the largest change within tolerance for
-/// each kind of quantity, and a closing sentence.
+/// Returns a table of the quantities with changes above tolerance, the largest change within
+/// tolerance for each kind of quantity, and a closing sentence.
 std::string check_result_table(const BaselineCheckResult& check,
                                const report::TerminalTextFormat& format);
 
-/// Returns the result of a check as JSON, the contents of check.json.
+/// Returns the result of `fpkcheck check` as JSON, the contents of check.json.
 std::string check_result_json(const BaselineCheckResult& check, const std::string& command,
                               const std::string& baseline);
 
-/// Numbers of compared quantities and of changes above the tolerance, for one kind of quantity.
+/// Numbers of compared quantities and of changes above the tolerance, for one kind of compared
+/// quantity.
 struct CheckedQuantityKindSummary {
   CheckedQuantityKind kind;
   std::size_t count = 0;
   std::size_t moved = 0;
-  /// Change closest to its tolerance, among all changes within their tolerances.
+  /// Change that is closest to its tolerance among all changes within tolerance.
   const CheckedQuantityChange* largest = nullptr;
 };
 
-/// Summarises the kinds of quantities that occur in a check. The pointers in the returned summaries
-/// refer to elements of the argument `check`.
+/// Summarises the changes of compared quantities for each kind of quantity. The pointers in the
+/// returned summaries refer to elements of the argument `check`.
 std::vector<CheckedQuantityKindSummary> summarise_changes_by_kind(const BaselineCheckResult& check);
 
 }  // namespace fpkcheck::check

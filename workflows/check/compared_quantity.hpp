@@ -17,8 +17,8 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Kind of a compared quantity, which determines the unit and the tolerance of a change.
 enum class CheckedQuantityKind {
   status,  ///< status or another word, which must be equal in the two runs
-  /// Moment of a solution, relative change; the change of E[y'] is divided by at least 1e-3
-  /// standard deviations of y'.
+  /// Relative change of a moment of a solution; for E[y'] the divisor is at least 1e-3 standard
+  /// deviations of y'.
   moment,
   mass,           ///< mass of a density, absolute change
   energy,         ///< energy residual (relative to the power input), absolute change
@@ -31,7 +31,8 @@ enum class CheckedQuantityKind {
   simulated,      ///< moment, mass, rate or quantile of a simulation, in standard errors
   simulated_bin,  ///< bin of a simulated density with the largest change, in standard errors
   simulated_l1,   ///< L1 distance between two simulations, or change of an L1 distance
-  /// Sampling error of a simulation; the change is the ratio of the errors in the two runs minus 1.
+  /// Change of the sampling error of a simulation: the ratio of the errors in the two compared
+  /// runs, minus 1.
   simulated_error
 };
 /// Label of each kind of compared quantity in tables and check.json, and unit of its change.
@@ -66,7 +67,7 @@ struct CheckedQuantityChange {
   CheckedQuantityKind kind;
   base::Value baseline;  ///< value in the baseline: a number, a word, a flag, or empty
   base::Value now;
-  /// Nonnegative change between the two runs, in the unit of the quantity's kind; infinite if the
+  /// Nonnegative change of a quantity between two runs, in the unit of its kind; infinite if the
   /// values cannot be compared.
   double change;
   double allowed;
@@ -84,14 +85,14 @@ struct CheckedQuantity {
   /// above the expected L1 distance.
   double allowed = 0;
   double scale = 1;  ///< number by which a change is divided
-  /// For the kind `simulated`, `error` is the standard error, or NaN if the run states no standard
-  /// error. For the kind `simulated_l1`, `error` is the expected L1 sampling error and
-  /// `quantile_99` its 99 % quantile.
+  /// The member `error` is the standard error of a quantity of kind `simulated`, or NaN if the run
+  /// states no standard error. For the kind `simulated_l1`, `error` is the expected L1 sampling
+  /// error, and `quantile_99` is the 99 % quantile of the L1 sampling error.
   double error = 0, quantile_99 = 0;
   std::string part = {};  ///< name of the part that contains the quantity, e.g. "peaks[3]"
-  /// Whether this quantity is the first of a part of the solution, and states the presence or the
-  /// length of the part. If the first quantity changes, the other quantities of the part are not
-  /// compared.
+  /// Whether the quantity states the presence or the length of a part of the solution, and precedes
+  /// the other quantities of the part. If the presence or the length of a part of a solution
+  /// changes, the other quantities of the part are not compared.
   bool opens_part = false;
 };
 using CheckedQuantities = std::vector<CheckedQuantity>;
@@ -124,9 +125,9 @@ struct SolutionPartQuantityAppender {
 /// Returns the finite number in a value of type double or integer, otherwise NaN.
 double finite_number_or_nan(const base::Value& value);
 
-/// Compares quantities with equal solution and name, and reports quantities that only one run has.
-/// An error estimate that only the new run has is not reported, since older program versions wrote
-/// no error estimates.
+/// Compares the quantities of two runs with equal solution and name, and reports quantities that
+/// only one run has. An error estimate that only the new run has is not reported, since older
+/// program versions wrote no error estimates.
 std::vector<CheckedQuantityChange> compare_quantities(const std::string& case_name,
                                                       const CheckedQuantities& baseline,
                                                       const CheckedQuantities& now);

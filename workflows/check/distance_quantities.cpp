@@ -30,7 +30,7 @@ bool has_finite_divergence(const results::CaseResult& case_result,
 void add_tail_distances(const compare::DensityDistances& d,
                         const SolutionPartQuantityAppender& pair, double allowed) {
   // The text quantity `bins` lists the decades of the density tail and the number of bins in each
-  // decade. Two tail distances over different bins are not compared.
+  // decade. Two tail distances over different bins of the density are not compared.
   std::string bins;
   for (const auto& decade : d.log10_tail) {
     bins += fmt::format("{:.3g} to {:.3g}: {} and {}; ", decade.from, decade.to, decade.bins,
@@ -54,8 +54,8 @@ void add_l1_standard_error(const SolutionPairDistances& pair, const transform::S
       standard_error_change_tolerance(simulation, kBothVariables, 1, tolerances));
 }
 
-// Returns the reference and the parts of a row of the error budget as text. Two budget rows with
-// different texts have different parts, and are not compared.
+// Returns the reference and the names of the parts in a row of the error budget as text. Two budget
+// rows with different references or parts are not compared.
 std::string budget_chain_text(const ErrorBudgetRow& row) {
   std::string text = row.reference + ":";
   for (const ErrorBudgetPart& part : row.parts) {
@@ -64,8 +64,8 @@ std::string budget_chain_text(const ErrorBudgetRow& row) {
   return text;
 }
 
-/// @param simulation simulation to which the total distances of the row refer, if the two runs
-///        differ by sampling; otherwise a null pointer
+/// @param simulation simulation to which the total distances of the budget row refer, if the two
+///        compared runs differ by sampling; otherwise a null pointer
 void add_budget_row_quantities(const ErrorBudgetRow& row, const transform::Solution* simulation,
                                const BaselineCheckTolerances& tolerances,
                                CheckedQuantities& quantities) {
@@ -82,8 +82,9 @@ void add_budget_row_quantities(const ErrorBudgetRow& row, const transform::Solut
         quantity, transform::smallest_known_sampling_errors(*simulation), row.variable, tolerances);
   };
   const auto add_tail = [&](const std::string& name, double tail) {
-    // Largest accepted ratio of the tail distances of two simulations. Each simulation resolves
-    // different bins of the density tail. The measurement of the factor 5 is in docs/checking.md.
+    // Largest accepted ratio of the tail distances from two simulations of the same case. Each of
+    // two simulations resolves different bins of the density tail. The file docs/checking.md has
+    // the measurement of the factor 5 between tail distances.
     constexpr double kMaxTailFactor = 5;
     CheckedQuantity& quantity = add(name, tail);
     quantity.allowed = simulation == nullptr ? tolerances.tail_tolerance() : kMaxTailFactor - 1;

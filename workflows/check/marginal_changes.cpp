@@ -13,8 +13,9 @@ namespace {
 using results::DensityCurve;
 using transform::Solution;
 
-// Largest half-width of a bin's 95 % confidence interval relative to the density. A bin with a
-// wider confidence interval has few samples, and contributes only to the L1 distance.
+// Largest half-width of a bin's 95 % confidence interval relative to the density in the bin. A bin
+// with a wider confidence interval than kMaxRelativeHalfWidth has few samples, and contributes only
+// to the L1 distance.
 constexpr double kMaxRelativeHalfWidth = 0.5;
 
 bool has_same_bins(const DensityCurve& one, const DensityCurve& other) {
@@ -41,7 +42,7 @@ double bin_standard_error(const DensityCurve& curve, std::size_t k) {
   return (curve.upper[k] - curve.density[k]) / numerics::kNormal95;
 }
 
-// Returns the bin of a marginal density with the largest change between two runs. In simulations
+// Returns the bin of a marginal density with the largest change between two runs. For simulations
 // only bins with sufficiently narrow confidence intervals in the two runs are compared.
 CheckedQuantityChange compare_density_bins(CheckedQuantityChange quantity_change,
                                            const DensityCurve& was, const DensityCurve& is,
@@ -118,7 +119,7 @@ std::vector<CheckedQuantityChange> marginal_changes(const results::CaseResult& b
     const DensityCurve* is = now.marginal_curve(was.solution, was.variable);
     if (is == nullptr || !has_same_bins(was, *is)) {
       changes.push_back(change_of_curve(was));
-      // If only one of the two runs has a marginal density, solution_quantities() reports this
+      // If only one of two compared runs has a marginal density, solution_quantities() reports this
       // difference.
     } else if (one != nullptr && other != nullptr) {
       const bool has_sampling_error =

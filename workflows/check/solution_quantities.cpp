@@ -34,7 +34,7 @@ void add_density_quantities(const Solution& s, const BaselineCheckTolerances& to
   const auto errors = s.standard_errors.value_or(transform::MomentStandardErrors{});
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     // The mean velocity E[y'] is 0 in every stationary state. Mean velocities below 1e-3 of the
-    // standard deviation of y' are errors of the method, with rounding errors in their last digits.
+    // standard deviation of y' are errors of the method, whose last digits depend on rounding.
     const double least = moment == size ? 0 : 1e-3 * std::sqrt(s.moments.*size);
     add(symbol, CheckedQuantityKind::moment, s.moments.*moment, errors.moments.*moment,
         std::max(std::abs(s.moments.*moment), least));
@@ -156,8 +156,8 @@ class MetricQuantityAppender {
   }
 
  private:
-  // Returns the name of a coefficient, e.g. "a(4,2)" for the term x1^4 x2^2. The powers are the
-  // metrics of kind `result` with the parent path of the coefficient.
+  // Returns the name of a coefficient, e.g. "a(4,2)" for the term x1^4 x2^2. The powers of a
+  // polynomial term are the metrics of kind `result` with the parent path of the coefficient.
   std::string coefficient_name(const SolverMetric& metric) const {
     std::vector<double> powers;
     for (const auto& sibling : metrics_) {
@@ -170,7 +170,8 @@ class MetricQuantityAppender {
                        fmt::join(powers, ","));
   }
 
-  // The first call of open_part() with a name appends the first quantity of the part of this name.
+  // The first call of open_part() with a name appends the first quantity of the part with this
+  // name.
   SolutionPartQuantityAppender open_part(const std::string& name) {
     const SolutionPartQuantityAppender result{whole_.quantities, whole_.solution, name};
     if (name != kWholeSolutionPart && opened_parts_.insert(name).second) {
@@ -209,7 +210,7 @@ class MetricQuantityAppender {
                               finite_number_or_nan(metric.value), 0)
         .error = standard_error;
     // The standard error of a rounding-sensitive value comes from few events, and is as uncertain
-    // as the value.
+    // as the value itself.
     if (error == nullptr || metric.is_rounding_sensitive) return;
     in.append_number_quantity("error of " + metric.path, CheckedQuantityKind::simulated_error,
                               standard_error, 1);
@@ -219,7 +220,7 @@ class MetricQuantityAppender {
   const BaselineCheckTolerances& tolerances_;
   const SolutionPartQuantityAppender& whole_;
   std::set<std::string> standard_error_paths_, coefficient_terms_, opened_parts_;
-  /// Elements of each list of metrics, by the path of the list.
+  /// Elements of each list of metrics, with the path of the list as key.
   std::map<std::string, std::set<std::string>> list_entries_;
 };
 
@@ -237,16 +238,18 @@ CheckedQuantities solution_quantities(const Solution& s,
   whole.append_word_quantity("status", std::string(name(s.status)));
   const SolutionPartQuantityAppender density = part("density", s.has_density() ? "one" : "none");
   if (s.has_density()) add_density_quantities(s, tolerances, density);
-  // The kick-interval error of a simulation is estimated from the difference of two simulations.
-  // This estimate scatters by as much as its value, and therefore does not reveal a change.
+  // The kick-interval error of a simulation (white noise as kicks at finite intervals) is estimated
+  // from the difference of two simulations. The estimate of the kick-interval error scatters by as
+  // much as its value, and therefore does not reveal a change.
   if (s.error && !s.standard_errors) add_error_estimates(s, tolerances, part(kErrorEstimatePart));
   if (s.standard_errors) add_standard_error_quantities(*s.standard_errors, part("standard errors"));
   if (s.sampling) add_sampling_error_quantities(*s.sampling, part("sampling L1"));
   if (s.smooth_sampling)
     add_sampling_error_quantities(*s.smooth_sampling, part("sampling L1 in smooth bins"));
   add_metric_quantities(s.metrics, tolerances, whole);
-  // For standard errors, add_metric_quantities() stores an exponent in the member `allowed`. The
-  // loop replaces the exponent in `allowed` by the tolerance, adjusted for multiple comparisons.
+  // For standard errors, add_metric_quantities() stores an exponent in CheckedQuantity::allowed.
+  // The loop replaces the exponent in CheckedQuantity::allowed by the tolerance, adjusted for
+  // multiple comparisons.
   const auto errors =
       std::ranges::count(quantities, CheckedQuantityKind::simulated_error, &CheckedQuantity::kind);
   for (CheckedQuantity& quantity : quantities) {
@@ -268,8 +271,8 @@ Metrics copy_metric_kinds_from_repeated_run(Metrics baseline, const Metrics& now
     if (metric.kind == SolverMetricKind::work || metric.kind == SolverMetricKind::text)
       ignored_paths.insert(path_without_indices(metric.path));
   }
-  // A metric in a list is also ignored if the new run ignores the corresponding metric at another
-  // index of the list, or the whole list.
+  // A metric in a list is also ignored if the new run ignores the whole list, or the corresponding
+  // metric at another index of the list.
   const auto is_ignored = [&](const std::string& path) {
     for (auto end = path.find("[]"); end != std::string::npos; end = path.find("[]", end + 1)) {
       if (ignored_paths.contains(path.substr(0, end + 2))) return true;

@@ -49,8 +49,8 @@ bool have_independent_sampling_errors(const Solution& one, const Solution& other
 
 double standard_error_of_mass(const Solution& solution) {
   // A histogram of n samples with bin probabilities p_b has the expected L1 error l1 = sqrt(2/(pi
-  // n)) sum sqrt(p_b (1 - p_b)). For a histogram with many bins this L1 error exceeds sqrt(2/(pi
-  // n)), and therefore 1/n <= pi/2 l1^2.
+  // n)) sum sqrt(p_b (1 - p_b)). For a histogram with many bins the expected L1 error l1 exceeds
+  // sqrt(2/(pi n)), and therefore 1/n <= pi/2 l1^2.
   const double l1 = solution.sampling ? solution.sampling->y.value_or(kNotANumber) : kNotANumber;
   const double one_sample = std::numbers::pi / 2 * l1 * l1;
   return std::sqrt((std::abs(1 - solution.mass) + one_sample) * one_sample);
@@ -71,8 +71,8 @@ void set_tolerance_from_sampling_error(
 
 double standard_error_change_tolerance(const Solution& simulation, std::size_t number_of_errors,
                                        double power, const BaselineCheckTolerances& tolerances) {
-  // Ratios of standard errors have heavier tails than the normal law. The measurement of the factor
-  // 1.25 is in docs/checking.md.
+  // Ratios of two standard errors have heavier tails than the normal law. The file docs/checking.md
+  // has the measurement of the factor 1.25 for heavy tails.
   constexpr double kHeavyTailFactor = 1.25;
   constexpr double kDefaultStreams = 128;
   const double streams =

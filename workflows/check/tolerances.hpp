@@ -14,12 +14,12 @@ namespace fpkcheck::check {
 /// docs/checking.md.
 struct BaselineCheckTolerances {
   /// Tolerance for deterministic quantities: relative for moments, absolute for mass and energy
-  /// residual, and as a fraction of the peak for densities. The tolerance of distances is in
-  /// standard deviations of the variable. Rounding errors change deterministic quantities by up to
-  /// 6e-11.
+  /// residual, and as a fraction of the peak for densities. The tolerance of distances between
+  /// densities is in standard deviations of the variable. Rounding errors change deterministic
+  /// quantities by up to 6e-11.
   double deterministic = 1e-8;
-  /// Tolerance for simulations, in standard errors of the difference between the two runs. The
-  /// standard errors of a quantity in the two runs are combined in quadrature.
+  /// Tolerance for simulations, in standard errors of the difference between the two compared runs.
+  /// The standard errors of a quantity in the two compared runs are combined in quadrature.
   double standard_errors = 4;
 
   /// Relative tolerance for the coefficients of a closure. Rounding errors change small
@@ -47,23 +47,25 @@ inline constexpr const char* kInterruptedMetric = "interrupted";
 bool have_independent_sampling_errors(const transform::Solution& one,
                                       const transform::Solution& other);
 
-/// Returns the standard error of the mass of a simulation, sqrt((q + 1/n) / n). Here q = 1 - mass
+/// Returns the standard error sqrt((q + 1/n) / n) of the mass of a simulation, where q = 1 - mass
 /// is the fraction of the samples outside the bins, and n the number of effectively independent
-/// samples. The term 1/n allows for one additional sample outside the bins. For a simulation
-/// without stated sampling error the result is NaN.
+/// samples. The term 1/n in the standard error of the mass allows for one additional sample outside
+/// the bins. For a simulation without stated sampling error the standard error of the mass is NaN.
 double standard_error_of_mass(const transform::Solution& solution);
 
-/// Changes the kind of a quantity to `simulated_l1` and derives the tolerance from the sampling
-/// error. Without a known sampling error the quantity remains unchanged.
+/// Changes the kind of a compared quantity to `simulated_l1`, and derives its tolerance from the
+/// sampling error of a simulation. Without a known sampling error the compared quantity remains
+/// unchanged.
 void set_tolerance_from_sampling_error(
     CheckedQuantity& quantity, const std::optional<transform::MarginalSamplingErrors>& sampling,
     transform::StateVariable variable, const BaselineCheckTolerances& tolerances);
 
-/// Returns the allowed change between two runs of error^power, expressed as the ratio minus 1. A
-/// standard error from n streams has the relative standard deviation 1 / sqrt(2 (n - 1)). The ratio
-/// of two standard errors from n streams has the relative standard deviation 1 / sqrt(n - 1).
+/// Returns the tolerance of the change of a power of a standard error between two runs, expressed
+/// as the ratio minus 1. A standard error from n streams has the relative standard deviation 1 /
+/// sqrt(2 (n - 1)). The ratio of two standard errors from n streams has the relative standard
+/// deviation 1 / sqrt(n - 1).
 /// @param number_of_errors number of compared standard errors; the tolerance applies to the largest
-/// of their changes
+///        of their changes
 double standard_error_change_tolerance(const transform::Solution& simulation,
                                        std::size_t number_of_errors, double power,
                                        const BaselineCheckTolerances& tolerances);

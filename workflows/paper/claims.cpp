@@ -29,8 +29,8 @@ std::string marginal_density_names(const PaperClaim& claim) {
 
 }  // namespace
 
-// Each table row has the cases, panels, variables, closure order n, relation, order of the rival
-// closure, and quotation of a claim.
+// Each table row of the paper's claims has the cases, panels, variables, closure order n, relation,
+// order of the rival closure, and quotation of a claim.
 const std::vector<PaperClaim>& paper_claims() {
   using enum PaperClaimRelation;
   static const std::vector<PaperClaim> all{

@@ -13,7 +13,7 @@
 /// epc-gaussian-n2, -n4, -n6. The paper's MCS is a Monte Carlo simulation.
 namespace fpkcheck::paper {
 
-/// Relation between a closure and the simulation that a claim of the paper states.
+/// Relation between a closure and the Monte Carlo simulation that a claim of the paper states.
 enum class PaperClaimRelation {
   agrees,                  ///< L1 and tail are both within the limits of agreement
   agrees_in_tail,          ///< the tail is within the limit of agreement
@@ -46,11 +46,12 @@ constexpr std::string_view name(PaperClaimRelation relation) { return base::name
 /// A statement of the paper that measured numbers can support or contradict.
 struct PaperClaim {
   /// Numbers of the cases in the paper's Table 1 to which a claim refers; the claim must hold in
-  /// every case.
+  /// every listed case.
   std::vector<int> cases;
-  /// Panels of the paper's figure, e.g. "ab"; empty if no figure shows the claim.
+  /// Panels of the paper's figure that show the claim, e.g. "ab"; empty if no figure shows the
+  /// claim.
   std::string panels;
-  /// Variables (displacement, velocity) for each of which the claim must hold.
+  /// Variables (displacement, velocity) for each of which the claim of the paper must hold.
   std::vector<transform::StateVariable> variables;
   int order;  ///< order n of the closure
   PaperClaimRelation relation;

@@ -24,7 +24,8 @@ std::string limit_text(const PaperClaimMeasurement& of, const std::string& limit
   return limit.empty() ? "" : fmt::format("{} {}", of.above ? ">" : "<=", limit);
 }
 
-// The relation `differs` holds if the L1 distance or the tail distance exceeds its limit.
+// The relation `differs` between a closure and the simulation holds if the L1 distance or the tail
+// distance exceeds its limit.
 std::string tail_limit_text(const PaperClaimJudgement& judgement) {
   const std::string text = limit_text(judgement.tail, tail_distance_text(judgement.tail.limit));
   return judgement.claim.relation == PaperClaimRelation::differs && !text.empty() ? "or " + text
@@ -54,8 +55,8 @@ std::string claim_rows_text(std::span<const PaperClaimJudgement> judgements,
   return report::format_text_table(std::move(columns), format);
 }
 
-// Returns the claims of the paper with a given outcome. Each claim occurs once, with the cases that
-// have this outcome, e.g. "n=6 agrees with MCS in p(y) (case 1, 2)".
+// Returns the claims of the paper with a given outcome. Each claim is listed once, with the cases
+// that have the given outcome, e.g. "n=6 agrees with MCS in p(y) (case 1, 2)".
 std::string claims_with_outcome(std::span<const PaperClaimJudgement> judgements,
                                 PaperClaimOutcome outcome) {
   std::vector<std::pair<std::string, std::string>> claims;

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// A row of the error budget has only the bins in which its closure density is positive. A closure
-// with fewer bins in the tail than other closures is 0 in a part of the tail.
+// A row of the error budget covers only the bins in which the density of its closure is positive. A
+// closure with fewer positive bins in the tail than other closures is 0 in a part of the tail.
 int tail_bin_count(const results::CaseResult& one, transform::StateVariable variable) {
   int most = 0;
   for (const auto& row : one.budget) {
@@ -28,7 +28,7 @@ int tail_bin_count(const results::CaseResult& one, transform::StateVariable vari
 }
 
 // If the total distance refers to a Richardson limit, which is no solution of the case, the error
-// estimate of the case's reference is used.
+// estimate of the case's reference solution is used.
 double reference_l1_error_estimate(const results::CaseResult& one,
                                    const compare::ErrorBudgetRow& row) {
   const auto* reference = one.find(row.reference);

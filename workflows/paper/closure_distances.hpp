@@ -11,12 +11,12 @@ namespace fpkcheck::paper {
 /// the error budget.
 struct ClosureDistanceFromSimulation {
   double l1 = 0;
-  /// The tail distance is infinite if the closure is 0 in a part of the tail, and NaN if no bin of
-  /// the tail is resolved.
+  /// The tail distance is infinite if the closure density is 0 in a part of the tail, and NaN if no
+  /// bin of the tail is resolved in all solutions.
   double tail = 0;
   double l1_error = 0;  ///< L1 error estimate of the reference
-  /// Tail distance between the finite-volume solution and the simulation, an error estimate of tail
-  /// distances; 0 if unknown.
+  /// Tail distance between the finite-volume solution and the simulation, used as error estimate of
+  /// tail distances; 0 if unknown.
   double tail_error = 0;
 };
 
@@ -34,8 +34,8 @@ ClosureDistanceFromSimulation componentwise_maximum(const ClosureDistanceFromSim
                                                     const ClosureDistanceFromSimulation& other);
 
 /// Returns the L1 distance of a marginal density from the Gaussian of equivalent linearisation,
-/// paper (25)-(26), over the bins of the curve. The density of y follows from the density of z by
-/// paper (30).
+/// equations (25)-(26) of the paper, over the bins of the curve. The density of y follows from the
+/// density of z by equation (30) of the paper.
 double l1_to_equivalent_linearisation(const results::DensityCurve& curve,
                                       const problem::Problem& problem);
 

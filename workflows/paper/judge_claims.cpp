@@ -46,7 +46,8 @@ class PaperClaimJudge {
     return nullptr;
   }
 
-  // Stores the status of the closure in the first case in which this status is not `ok`.
+  // Stores the status of the closure in the first case of the claim in which this status is not
+  // `ok`.
   void store_closure_status() {
     for (const int number : claim().cases) {
       const CaseResult* case_result = find_case(number);
@@ -65,8 +66,8 @@ class PaperClaimJudge {
     }
   }
 
-  // Returns the maxima of L1 distance and tail distance over the given cases and over the variables
-  // of the claim.
+  // Returns the maxima of the L1 distance and the tail distance over the given cases and over the
+  // variables of the claim.
   std::optional<ClosureDistanceFromSimulation> largest_distance(int order,
                                                                 const std::vector<int>& cases) {
     ClosureDistanceFromSimulation worst;
@@ -83,7 +84,8 @@ class PaperClaimJudge {
     return worst;
   }
 
-  // Returns whether the tail distance exists, and otherwise sets the reason for the missing value.
+  // Returns whether the tail distance of a closure exists, and otherwise sets the reason for the
+  // missing value.
   bool require_tail_distance(const ClosureDistanceFromSimulation& distance) {
     if (!std::isnan(distance.tail)) return true;
     missing_reason_ = "no bin of the tail is positive and resolved in all solutions";
@@ -120,8 +122,8 @@ class PaperClaimJudge {
     if (claim().rival != 0) {
       const auto rival = largest_distance(claim().rival, claim().cases);
       if (!rival || (uses_tail && !require_tail_distance(*rival))) return std::nullopt;
-      // The distances of the two compared closures must differ by more than the error estimate of
-      // the reference.
+      // To differ, the distances of two compared closures must differ by more than the error
+      // estimate of the reference.
       limit = {.l1 = rival->l1 - closure_distance->l1_error,
                .tail = rival->tail - closure_distance->tail_error};
     }
@@ -150,8 +152,8 @@ class PaperClaimJudge {
     return judgement_.l1.satisfies_limit();
   }
 
-  // Runs of older programs lack the metric "plain_newton_converges", and are assumed to have
-  // converged.
+  // Runs of older program versions lack the metric "plain_newton_converges", and are assumed to
+  // have converged.
   bool plain_newton_converges() {
     const Solution* closure =
         find_case(claim().cases.front())->find(paper_closure_id(claim().order));
@@ -217,7 +219,8 @@ std::vector<PaperClaimJudgement> judge_claims(const results::Run& run) {
 
 namespace {
 
-// Trailing zeros, as in "0.02000", would suggest more significant digits than a criterion has.
+// Trailing zeros, as in "0.02000", would suggest more significant digits than the limit of a claim
+// has.
 std::string without_trailing_zeros(std::string number) {
   if (number.find('.') == std::string::npos || number.find('e') != std::string::npos) return number;
   number.erase(number.find_last_not_of('0') + 1);

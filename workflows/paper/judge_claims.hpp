@@ -27,7 +27,8 @@ constexpr std::string_view name(PaperClaimOutcome outcome) { return base::name_o
 struct PaperClaimMeasurement {
   std::optional<double> value{};
   std::optional<double> limit{};
-  /// Whether the claim requires a value above the limit, instead of a value of at most the limit.
+  /// Whether the claim requires a measured value above the limit, instead of a value of at most the
+  /// limit.
   bool above = false;
 
   bool satisfies_limit() const {
@@ -35,17 +36,18 @@ struct PaperClaimMeasurement {
   }
 };
 
-/// Claim of the paper, the measured numbers that decide the claim, and the outcome.
+/// Claim of the paper, the measured numbers that decide the claim, and the outcome of the
+/// judgement.
 struct PaperClaimJudgement {
   PaperClaim claim;
-  /// Largest L1 distance between closure and simulation over the cases and variables of the claim.
-  /// For the relation is_linearisation, `l1` is the L1 distance to the Gaussian of equivalent
-  /// linearisation. If `l1` has no limit, tables show the L1 distance, which does not influence the
-  /// outcome of the claim.
+  /// Largest L1 distance between the closure and the simulation over the cases and variables of the
+  /// claim. For the relation is_linearisation, `l1` is the L1 distance to the Gaussian of
+  /// equivalent linearisation. An L1 distance without a limit is shown in tables, but does not
+  /// influence the outcome of the claim.
   PaperClaimMeasurement l1{};
   /// Tail distance compare::ErrorBudgetRow::total_tail: mean |log10 p - log10 MCS| over the bins
-  /// with an MCS density of 1e-5 .. 1e-3. The tail distance is infinite if the closure is 0 in a
-  /// bin of the tail.
+  /// with an MCS density of 1e-5 .. 1e-3. The tail distance is infinite if the closure density is 0
+  /// in a bin of the tail.
   PaperClaimMeasurement tail{};
   /// Status of the closure in the first case in which this status is not `ok`; `ok` if no such case
   /// exists.
@@ -57,7 +59,7 @@ struct PaperClaimJudgement {
 
 /// Judges all claims of the paper by the total distances of the error budget.
 /// @param run run of the paper's cases by the methods kRequiredMethods. If a required number is
-/// missing, the outcome of the claim is `unjudged`.
+///        missing, the outcome of a claim is `unjudged`.
 std::vector<PaperClaimJudgement> judge_claims(const results::Run& run);
 
 std::string l1_distance_text(const std::optional<double>& l1);

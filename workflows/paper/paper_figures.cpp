@@ -29,7 +29,7 @@ std::vector<std::pair<std::string, std::string>> ids_and_paper_names() {
 }
 
 // Returns the results of a case with only the four solutions of the paper's figure, under the
-// paper's names.
+// paper's names EPC and MCS.
 CaseResult paper_figure_case(const CaseResult& case_result) {
   CaseResult shown{.problem = case_result.problem};
   for (const auto& [id, paper_name] : ids_and_paper_names()) {
@@ -48,8 +48,8 @@ CaseResult paper_figure_case(const CaseResult& case_result) {
   return shown;
 }
 
-// Calls use(number of the figure, case with the paper's solutions, content) for each figure of the
-// paper.
+// Calls the function `use` with the figure number, the case with the paper's solutions, and the
+// figure content for each figure of the paper.
 template <class Use>
 void for_each_paper_figure(const results::Run& run, const Use& use) {
   for (int number = 1; number <= 4; ++number) {
@@ -63,7 +63,7 @@ void for_each_paper_figure(const results::Run& run, const Use& use) {
     content.reference.clear();
     for (auto& marginal : content.marginals) {
       for (auto& drawn : marginal.curves) drawn.difference = {};
-      // The axes of the paper's figures include the peaks of all curves, also of closures that are
+      // The axes of the paper's figures include the peaks of all curves, even of closures that are
       // not ok.
       const auto all_curves = report::density_axis_ranges(marginal.curves);
       marginal.ranges.linear_top = std::max(marginal.ranges.linear_top, all_curves.linear_top);
