@@ -38,7 +38,8 @@ report::FigurePanel distance_panel(const ClosureOrderStudy& study, const char* t
       .series = series};
 }
 
-// Each closure with a solution branch has a line, and each fold of a branch has a mark.
+// In the figure each closure with a solution branch has a line, and each fold of a branch has a
+// mark.
 std::vector<FigureSeries> branch_series(const ClosureOrderStudy& study) {
   std::vector<FigureSeries> all;
   FigureSeries folds{.name = "fold of a branch", .colour = "#444444", .symbol = "circle-open"};

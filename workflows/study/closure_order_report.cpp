@@ -30,7 +30,7 @@ StudyRecord make_study_record(const ClosureOrderStudyRow& row) {
   record.push_back({"tail_y", transform::value_from_optional(row.tail_y)});
   record.push_back({"tail_ydot", transform::value_from_optional(row.tail_ydot)});
   for (const auto& observation : row.solution.metrics) {
-    // The record of a closure already has the values formulation and order.
+    // The record of a closure already contains the values formulation and order.
     if (observation.path == "formulation" || observation.path == "order") continue;
     record.push_back({observation.path, observation.value});
   }
@@ -61,7 +61,8 @@ std::string closure_name(const ClosureOrderStudyRow& row) {
   return fmt::format("{} n = {}", row.formulation, row.order);
 }
 
-// Returns the sign of the leading form of the exponent Q_n without the confinement term.
+// Returns the sign of the leading form (terms of highest degree) of the exponent Q_n without the
+// confinement term.
 std::string leading_form_text(const ClosureOrderStudyRow& row) {
   const auto& metrics = row.solution.metrics;
   auto form = transform::metric_text(metrics, "tail.polynomial_leading_form");
@@ -115,7 +116,7 @@ std::string branch_sentence(const ClosureOrderStudyRow& row, const SolutionBranc
       100 * branch.largest_fraction, branch_end_text(branch.end));
 }
 
-// The sentence states a convergence factor instead of a power of n, since convergent closures
+// The sentence on convergence states a factor instead of a power of n, since convergent closures
 // converge geometrically.
 std::string convergence_rate_sentence(const ClosureOrderStudyRow& first,
                                       const ClosureOrderStudyRow& last) {
@@ -127,7 +128,7 @@ std::string convergence_rate_sentence(const ClosureOrderStudyRow& first,
                      factor(&MarginalL1Distances::y), factor(&MarginalL1Distances::ydot));
 }
 
-// @param good rows with status `ok` of one formulation, by increasing order n
+// @param good table rows with status `ok` of one formulation, by increasing order n
 std::string convergence_sentence(const std::string& formulation,
                                  const std::vector<const ClosureOrderStudyRow*>& good) {
   if (good.empty()) return fmt::format("{}: no order gives a density.", formulation);

@@ -48,8 +48,8 @@ std::vector<MethodVariant> closure_variants(const SolverRegistry& registry) {
   return all;
 }
 
-// Accuracy option so large that no closure has the status `inaccurate`, and the study shows all
-// closures.
+// Largest accepted error, so large that no closure has the status `inaccurate`, and the study shows
+// all closures.
 constexpr double kUnlimitedError = 10;
 
 Method closure_of_order(const SolverRegistry& registry, const MethodVariant& formulation,

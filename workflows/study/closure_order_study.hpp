@@ -37,15 +37,15 @@ struct SolutionBranch {
   std::vector<Point> points;
 };
 
-/// Reads the solution branch from the metrics "branch" of a solution. If the solution has no
-/// metrics "branch", the result is empty.
+/// Reads the solution branch from the metrics "branch" of a solution. If a solution has no metrics
+/// "branch", the result is empty.
 std::optional<SolutionBranch> read_solution_branch(const transform::Metrics& metrics);
 
 struct ClosureOrderStudyRow {
   std::string formulation;
   int order = 0;
-  /// Whether the study fails without convergence of this closure, a default variant that solves the
-  /// full problem.
+  /// Whether the study fails if this closure, a default variant that solves the full problem, does
+  /// not converge.
   bool must_converge = false;
   transform::Solution solution;
   /// L1 distances of the closure's p(y) and p(y') from the reference densities.
@@ -60,7 +60,7 @@ struct ClosureOrderStudy {
   static constexpr const char* kFileStem = "study-order";
   problem::Problem problem;
   transform::Solution reference;
-  /// Table rows sorted by closure formulation, then by closure order n.
+  /// Rows of the order study, sorted by closure formulation, then by closure order n.
   std::vector<ClosureOrderStudyRow> rows;
 };
 
@@ -73,20 +73,20 @@ ClosureOrderStudy study_closure_orders(const problem::Problem& problem,
                                        const methods::SolverRegistry& registry,
                                        const methods::ProgressListener& listener);
 
-/// Returns whether the reference and every closure with `must_converge` have status ok.
+/// Returns whether the reference and every closure with `must_converge` have the status `ok`.
 bool has_converged(const ClosureOrderStudy& study);
 
-/// Files and texts of an order study, from which make_study_report() makes a StudyReport. In the
-/// JSON text the row of a closure has the keys of a solution in summary.json, except identity,
-/// options and moments.
+/// Files and texts of an order study of closures, from which make_study_report() makes a
+/// StudyReport. In the JSON text of an order study, the row of a closure has the keys of a solution
+/// in summary.json, except identity, options and moments.
 std::string study_json_text(const ClosureOrderStudy& study, const std::string& command);
 std::string study_csv_text(const ClosureOrderStudy& study);
-/// Returns the table of the closures, the reasons for statuses other than `ok`, the folds and the
-/// convergence.
+/// Returns the table of the closures, the reasons for statuses other than `ok`, the folds of
+/// solution branches and the convergence.
 std::string study_table_text(const ClosureOrderStudy& study,
                              const report::TerminalTextFormat& format);
-/// Returns a figure with panels of the L1 distances against the order n and panels of the solution
-/// branches.
+/// Returns a figure with panels of the L1 distances against the closure order n and panels of the
+/// solution branches.
 report::Figure study_figure(const ClosureOrderStudy& study);
 
 StudyRecord make_study_record(const ClosureOrderStudyRow& row);

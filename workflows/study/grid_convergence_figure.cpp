@@ -31,7 +31,7 @@ std::optional<FigurePoint> distance_point(const Row& row, double abscissa, Dista
 
 double solve_milliseconds(const transform::Solution& solution) { return solution.seconds * 1000; }
 
-/// @param abscissa function that returns the abscissa of a row
+/// @param abscissa function that returns the abscissa of a study row
 template <class Abscissa>
 std::vector<FigureSeries> series_of_schemes(const GridStudy& study, Distance distance,
                                             Abscissa abscissa) {
@@ -55,8 +55,8 @@ std::string method_label(const ComparedMethodRow& row) {
                      identity.order ? ", n = 2, 4, .." : "");
 }
 
-// Returns for each scheme a dashed line through its first point with the slope of the nominal
-// order.
+// Returns for each scheme a dashed line through the first point of its curve with the slope of the
+// nominal order.
 std::vector<FigureSeries> nominal_order_lines(const GridStudy& study, Distance distance) {
   std::vector<FigureSeries> slopes;
   for (auto row = study.rows.begin(); row != study.rows.end();) {

@@ -18,8 +18,8 @@ namespace {
 using transform::GridLevelSolution;
 using transform::Solution;
 
-// Option of the study's grids: largest density on the outer boundary of the grid, relative to the
-// peak. With a boundary density of 1e-9 the mass outside the grid does not limit the convergence.
+// Largest density on the outer boundary of the grids of a study, relative to the peak. With a
+// boundary density of 1e-9 of the peak, the mass outside the grid does not limit the convergence.
 constexpr double kWallDensity = 1e-9;
 
 /// Solver of a grid study: all grids and compared methods share the comparison axes, the options
@@ -96,7 +96,8 @@ class GridStudySolver {
   std::optional<double> y_max_{}, v_max_{};
 };
 
-// Returns the reason why three grids have no Richardson limit; empty if the limit exists.
+// Returns the reason why three successive grids have no Richardson limit; empty if the limit
+// exists.
 std::string missing_limit_reason(const GridStudyRow& coarse, const GridStudyRow& middle,
                                  const GridStudyRow& fine) {
   for (const GridStudyRow* grid : {&coarse, &middle, &fine}) {
@@ -124,8 +125,8 @@ std::string missing_limit_reason(const GridStudyRow& coarse, const GridStudyRow&
       fine.observed->l1, transform::kMinOrderForLimit);
 }
 
-// Sets the observed orders of convergence, and returns the Richardson limit of the grids of one
-// scheme.
+// Sets the observed orders of convergence in the rows of a grid study, and returns the Richardson
+// limit of the grids of one scheme.
 RichardsonLimit set_orders_and_richardson_limit(std::vector<GridStudyRow>& grids) {
   for (std::size_t k = 2; k < grids.size(); ++k) {
     const auto &coarse = grids[k - 2].density, &middle = grids[k - 1].density,
@@ -215,7 +216,7 @@ GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& op
     set_error_estimate(row);
   }
   for (auto& one : study.limits) one.l1 = l1_distance(one.density, reference_richardson_limit);
-  // without the limit the compared methods have no reference
+  // Without a Richardson limit the compared methods have no reference.
   if (!reference_richardson_limit) return study;
   if (study.limits.size() > 1) study.limit_accuracy = study.limits.end()[-2].l1;
   for (const auto& method : others) {

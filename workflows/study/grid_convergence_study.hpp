@@ -36,10 +36,10 @@ struct GridStudyRow {
   double refinement = 1, origin_refinement = 1;
   int nx = 0, nv = 0;  ///< numbers of grid cells in y and y'
   transform::Solution solution;
-  /// Marginal densities and moments of the solution on this grid; empty if the solution has no
+  /// Marginal densities and moments of the solution on one grid; empty if the solution has no
   /// density.
   std::optional<transform::GridLevelSolution> density = {};
-  /// Observed convergence orders, from this grid and the next two coarser grids.
+  /// Observed convergence orders, from the grid of the row and the next two coarser grids.
   std::optional<transform::ObservedConvergenceOrders> observed = {};
   std::optional<MarginalL1Distances> l1 = {};  ///< L1 distances from the Richardson limit
 };
@@ -61,7 +61,7 @@ struct ComparedMethodRow {
 };
 
 /// Results of a grid study. The Richardson limit of the highest-order scheme is the reference of
-/// all distances.
+/// all L1 distances in a grid study.
 struct GridStudy {
   static constexpr const char* kName = "grid";
   static constexpr const char* kFileStem = "study-grid";
@@ -69,7 +69,8 @@ struct GridStudy {
   transform::SolutionIdentity grids;    ///< equation and impact condition of the finite volumes
   std::vector<GridStudyRow> rows;       ///< rows sorted by scheme order, then by grid level
   std::vector<RichardsonLimit> limits;  ///< Richardson limits sorted by scheme order
-  /// Closures and simulations that are compared with the grids; empty without a Richardson limit.
+  /// Closures and simulations that are compared with the finite-volume grids; empty without a
+  /// Richardson limit.
   std::vector<ComparedMethodRow> others;
   /// L1 distance between the Richardson limits of the highest and the next lower scheme order.
   std::optional<MarginalL1Distances> limit_accuracy = {};
@@ -78,18 +79,18 @@ struct GridStudy {
 };
 
 /// Solves a problem by finite volumes on grids of every order and level, one grid after another.
-/// All grids use the domain of the first grid, and the null vector of the discrete operator as
-/// density. A Richardson limit exists if the three finest grids have densities and the finest
-/// solution is ok. For a Richardson limit the observed order must also satisfy
-/// transform::has_richardson_limit(). If the Richardson limit of the highest-order scheme exists,
-/// the methods of methods_compared_with_grids() also solve the problem.
+/// All grids of a study use the domain of the first grid, and the null vector of the discrete
+/// operator as density. A Richardson limit exists if the three finest grids have densities and the
+/// solution on the finest grid is ok. A Richardson limit also requires that the observed order
+/// satisfies transform::has_richardson_limit(). If the Richardson limit of the highest-order scheme
+/// exists, the methods of methods_compared_with_grids() also solve the problem.
 /// @throws the exceptions of validate()
 GridStudy study_grid(const problem::Problem& problem, const GridStudyOptions& options,
                      const methods::SolverRegistry& registry,
                      const methods::ProgressListener& listener);
 
-/// Returns whether the Richardson limit exists and no solver failed on the finest grid of a scheme.
-/// Solver failures on coarser grids are ignored.
+/// Returns whether the Richardson limit of a grid study exists and no solver failed on the finest
+/// grid of a scheme. Solver failures on coarser grids are ignored.
 bool has_converged(const GridStudy& study);
 
 /// Files and texts of a grid study, from which make_study_report() makes a StudyReport.
@@ -99,7 +100,7 @@ std::string study_csv_text(const GridStudy& study);
 /// each accuracy.
 std::string study_table_text(const GridStudy& study, const report::TerminalTextFormat& format);
 /// Returns a figure with panels of the L1 distances against the grid refinement and against the
-/// wall-clock time of all methods. Without any known distance the figure has no panels.
+/// wall-clock time of all methods. Without any known L1 distance the figure has no panels.
 report::Figure study_figure(const GridStudy& study);
 
 StudyRecord make_study_record(const GridStudyRow& row);

@@ -67,7 +67,7 @@ void add_eigenvalue(const std::string& name, const std::optional<std::complex<do
   record.push_back({name + ".im", value->imag()});
 }
 
-// If no wave of the density grows, the largest growth rate is 0, the limit for long waves.
+// If no Fourier wave of the density grows, the largest growth rate is 0, the limit for long waves.
 std::string fastest_wave_text(const KramersMoyalRegularisationResult& row,
                               double fd_fpk::FastestGrowingWave::*of) {
   if (row.symbol_grows) return number_text((*row.symbol).*of, "{:.4g}");
@@ -149,8 +149,8 @@ std::vector<KramersMoyalRegularisationResult> rows_of_scheme(
   return chosen;
 }
 
-// The exponent a in growth rate ~ h^a is computed from the two smallest steps h on which a wave
-// grows.
+// The exponent a in growth rate ~ h^a is computed from the two smallest velocity steps h on which a
+// wave grows.
 std::string unregularised_scheme_sentence(const KramersMoyalRegularisationStudy& study) {
   const auto growing = rows_of_scheme(study, "literal", true);
   if (growing.empty()) return "The literal scheme grows on none of these steps.";
@@ -213,7 +213,7 @@ std::string threshold_sentence(const KramersMoyalRegularisationStudy& study) {
   return text;
 }
 
-// Each remark of the study occurs once, with the table rows to which the remark applies.
+// Each remark of the study is printed once, with the table rows to which the remark applies.
 std::string remarks_text(const KramersMoyalRegularisationStudy& study, std::size_t width) {
   std::map<std::string, std::vector<std::string>> rows_with;
   std::vector<std::string> order;
@@ -244,7 +244,8 @@ StudyRecord make_study_record(const KramersMoyalRegularisationResult& row) {
   StudyRecord record{
       {"scheme", row.scheme},
       {"step", row.step},
-      // The Pade scheme has no fourth difference, and therefore no length of the difference.
+      // The Pade scheme has no fourth difference, and therefore no regularisation length of a
+      // fourth difference.
       {"length", row.length > 0 ? Value(row.length) : Value()},
       {"nx", value_from_count(row.nx)},
       {"nv", value_from_count(row.nv)},

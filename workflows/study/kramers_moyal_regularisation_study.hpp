@@ -14,7 +14,7 @@
 namespace fpkcheck::study {
 
 struct KramersMoyalRegularisationResult : fd_fpk::KramersMoyalRegularisationResult {
-  /// Whether the Fourier symbol of the discrete operator has a growing wave.
+  /// Whether a Fourier mode grows according to the symbol of the discrete operator.
   bool symbol_grows = false;
   /// Largest growth rate of disturbances of the density; empty if no disturbance grows.
   std::optional<double> growth_rate = {};
@@ -24,25 +24,25 @@ struct KramersMoyalRegularisationStudy {
   static constexpr const char* kName = "regularisation";
   static constexpr const char* kFileStem = "study-regularisation";
   problem::Problem problem;
-  /// Default regularisation length and shortest stable regularisation length of km4
+  /// Default regularisation length and shortest stable regularisation length of the equation km4
   /// (fd_fpk::KramersMoyalRegularisationStudy).
   double default_length, shortest_length;
   std::vector<KramersMoyalRegularisationResult> rows;
 };
 
 /// Runs fd_fpk::study_kramers_moyal_regularisation(), and adds a growth rate of disturbances to
-/// each row.
+/// each row of the result.
 KramersMoyalRegularisationStudy study_kramers_moyal_regularisation(
     const problem::Problem& problem, const methods::ProgressListener& listener);
 KramersMoyalRegularisationStudy add_density_growth_rates(
     const problem::Problem& problem, const fd_fpk::KramersMoyalRegularisationStudy& fd_study);
 
-/// Returns whether the scheme with the default length gives a density and no growing disturbance at
-/// the smallest step.
+/// Returns whether the regularised scheme with the default length gives a density without growing
+/// disturbances at the smallest velocity step.
 bool has_converged(const KramersMoyalRegularisationStudy& study);
 
 /// Files and texts of a regularisation study, from which make_study_report() makes a StudyReport.
-/// If no disturbance grows, the JSON key `growth_rate` is null.
+/// If no disturbance grows, the value of the JSON key `growth_rate` is null.
 std::string study_json_text(const KramersMoyalRegularisationStudy& study,
                             const std::string& command);
 std::string study_csv_text(const KramersMoyalRegularisationStudy& study);

@@ -18,8 +18,8 @@ using problem::ImpactCondition;
 using transform::SolutionIdentity;
 using transform::SolutionRole;
 
-// Returns the method of a registry with the given id and options. For an unknown id or an invalid
-// option the result is empty.
+// Returns the method with the given id and options from a registry; empty for an unknown id or an
+// invalid option.
 std::optional<Method> find_method(const SolverRegistry& registry, const std::string& id,
                                   const base::Values& given = {}) {
   try {

@@ -26,7 +26,7 @@ Value value_at(const StudyRecord& record, const std::string& path) {
 }
 
 // Returns the text of a value of a study record. The argument `format` applies to non-integer
-// numbers. A missing value gives an empty text.
+// numbers of a study record. A missing value gives an empty text.
 std::string value_text(const Value& value, const char* format) {
   if (const auto* word = std::get_if<std::string>(&value)) return *word;
   if (const auto* count = std::get_if<std::int64_t>(&value)) return std::to_string(*count);

@@ -17,8 +17,8 @@ struct MarginalL1Distances {
   double y, ydot;
 };
 
-/// Values of one row of a study, for files and tables. Each value of a record has a path such as
-/// "observed_order.l1".
+/// Values of one row in the results of a study, for files and tables. Each value of a StudyRecord
+/// has a path such as "observed_order.l1".
 using StudyRecord = base::Values;
 
 template <class Owner>
@@ -38,20 +38,20 @@ struct StudyTableColumn {
   bool left_aligned = false;
 };
 
-/// Returns the records as a text table. In the table a dash represents an absent value or a number
-/// that is not finite.
+/// Returns the records as a text table. In a table of study records, a dash represents an absent
+/// value or a number that is not finite.
 std::string records_table_text(const std::vector<StudyRecord>& rows,
                                const std::vector<StudyTableColumn>& columns,
                                const report::TerminalTextFormat& format);
 
-/// Returns the records as CSV with a header. In the CSV, absent values and numbers that are not
-/// finite are empty fields.
-/// @param columns paths of the columns, separated by blanks; NAME=PATH if the header of a column
-/// differs from its path
+/// Returns the records of a study as CSV with a header. In the CSV, absent values and numbers that
+/// are not finite are empty fields.
+/// @param columns paths of the columns, separated by blanks, or NAME=PATH for a column whose header
+///        differs from its path
 std::string records_csv_text(const std::vector<StudyRecord>& rows, const std::string& columns);
 
 /// Returns the JSON text of a study. The argument `study_values` has values of the whole study,
-/// such as its options.
+/// such as the options of the study.
 std::string study_records_to_json(
     const std::string& study, const problem::Problem& problem, const std::string& command,
     const StudyRecord& study_values,
@@ -76,8 +76,9 @@ std::string join_with_and(const std::vector<std::string>& items);
 std::string status_reason_text(const std::string& name, const transform::Solution& solution,
                                std::size_t width);
 
-/// Makes a plot series from each group of neighbouring rows with equal name(row), with the points
-/// point(row). Each plot series has the style of the solution in the middle row of its group.
+/// Makes a plot series from each group of neighbouring rows with equal names, where the functions
+/// `name` and `point` return the name and the point of a row. Each plot series has the style of the
+/// solution in the middle row of its group.
 template <class Row, class Name, class Point>
 std::vector<report::FigureSeries> make_empty_figure_series(const std::vector<Row>& rows, Name name,
                                                            Point point) {

@@ -51,7 +51,8 @@ mcs::SimulationOptions long_simulation_options(const problem::Problem& problem,
   return simulation;
 }
 
-// Returns the average of p over a narrow bin around x, which differs from p(x) by less than 1e-6.
+// Returns the average of the density p over a narrow bin around x, which differs from p(x) by less
+// than 1e-6.
 double density_at(const Solution& solution, StateVariable variable, double x, double deviation) {
   const double half = 1e-3 * deviation;
   const double edges[] = {x - half, x + half};
@@ -136,8 +137,8 @@ int ValueInTwoSchemeOrders::agreed_significant_digits(int most) const {
   const double difference =
       std::abs(value_of_order_seven - value_of_order_five) / std::abs(value_of_order_seven);
   const double digits = std::floor(-std::log10(std::max(difference, 1e-16) * 2)) + 1;
-  // The number of agreed digits is compared as a double, since log10 of the difference may be
-  // infinite, or NaN from 0/0.
+  // The number of agreed digits is clamped as a double, since log10 of a difference may be
+  // infinite, or NaN for 0/0.
   return digits > 1 ? static_cast<int>(std::min<double>(digits, most)) : 1;
 }
 

@@ -19,13 +19,13 @@ struct ReferenceOptions {
   std::uint64_t seed = 1;
 };
 
-/// Reference value by the seventh-order and by the fifth-order scheme: two Richardson limits, or
-/// two values on the finest grids.
+/// Reference value by a seventh-order and by a fifth-order scheme: two Richardson limits, or two
+/// values on the finest grids.
 struct ValueInTwoSchemeOrders {
   double value_of_order_seven;
   double value_of_order_five;
-  /// Returns the number of significant digits to which the values of the two schemes agree, at most
-  /// `most`.
+  /// Returns the number of significant digits, at most `most`, to which the values of the
+  /// seventh-order and fifth-order schemes agree.
   int agreed_significant_digits(int most) const;
 };
 
@@ -57,8 +57,8 @@ struct CaseReferenceValues {
 /// @throws InputError with a message of one line
 void validate(const problem::Problem& problem, const ReferenceOptions& options);
 
-/// Solves a problem by a fifth-order scheme, a seventh-order scheme and a simulation. Each
-/// finite-volume scheme uses three grids that are refined towards the origin.
+/// Solves a problem by a fifth-order finite-volume scheme, a seventh-order scheme and a simulation.
+/// Each finite-volume scheme uses three grids that are refined towards the origin.
 CaseReferenceValues compute_reference(const problem::Problem& problem,
                                       const ReferenceOptions& options);
 

@@ -69,15 +69,16 @@ std::optional<double> moment_error_estimate(const TransientDensitySnapshot& snap
   return snapshot.error ? std::optional(snapshot.error->moments.*moment) : std::nullopt;
 }
 
-/// Largest L1 distance to the reference over time, and the largest difference of the second
-/// moments.
+/// Largest L1 distance of a solution to the reference over time, and the largest difference of the
+/// second moments.
 struct LargestDistancesFromReference {
   double y = 0, y_time = 0;
   double ydot = 0, ydot_time = 0;
-  /// Largest difference of a second moment from the reference, in units of the combined errors.
+  /// Largest difference of a second moment from the reference, in units of the combined errors of
+  /// the two solutions.
   double moment_in_errors = 0;
-  /// Earliest time after which both L1 distances are at most the accuracy; empty if no such time
-  /// exists.
+  /// Earliest time after which the L1 distances of p(y) and p(y') are at most the requested
+  /// accuracy; empty if no such time exists.
   std::optional<double> accurate_from;
 };
 
@@ -106,8 +107,8 @@ LargestDistancesFromReference largest_distances(const TransientDensities& soluti
       const auto of_a = moment_error_estimate(a, moment), of_b = moment_error_estimate(b, moment);
       const double combined = std::hypot(of_a.value_or(0), of_b.value_or(0));
       if (!of_a || !of_b || combined == 0) continue;
-      // The error estimates of finite volumes do not contain the rounding errors of the initial
-      // density.
+      // The error estimates of finite volumes at time 0 do not contain the rounding errors of the
+      // initial density.
       if (a.time == 0 && !solution.has_standard_errors) continue;
       largest.moment_in_errors = std::max(
           largest.moment_in_errors, std::abs(a.moments.*moment - b.moments.*moment) / combined);
@@ -116,7 +117,8 @@ LargestDistancesFromReference largest_distances(const TransientDensities& soluti
   return largest;
 }
 
-// Returns the largest L1 error estimate over all snapshots; NaN if a snapshot has no estimate.
+// Returns the largest L1 error estimate over all snapshots; NaN if a snapshot has no error
+// estimate.
 double largest_l1_error_estimate(const TransientDensities& solution) {
   double largest = 0;
   for (const TransientDensitySnapshot& s : solution.snapshots) {
@@ -185,7 +187,8 @@ void require_accurate(double accuracy, const TransientDensities* compared_with,
 
 namespace {
 
-// Extends evenly spaced edges with the same spacing, so that the edges cover [low, high].
+// Extends a list of evenly spaced bin edges with the same spacing, so that the bins cover [low,
+// high].
 std::vector<double> extended_edges(std::vector<double> edges, double low, double high) {
   constexpr std::size_t kMostBins = 2000;
   const double width = edges[1] - edges[0];
@@ -200,8 +203,8 @@ std::vector<double> extended_edges(std::vector<double> edges, double low, double
   return edges;
 }
 
-// Sets bins that cover the stationary density and all states that the initial density reaches,
-// extended by the motion under the force F(t).
+// Sets histogram bins that cover the stationary density and all states that the initial density
+// reaches, extended by the motion under the force F(t).
 void set_histogram_bins(const problem::Problem& given, transform::TransientRequest& request) {
   const problem::Problem problem = problem::with_largest_excitation(given, request.time_span());
   const auto axes = compare::undivided_comparison_bins(compare::comparison_bins(problem));
@@ -302,8 +305,9 @@ bool has_all_snapshots(const TransientComparison& study, const TransientDensitie
          static_cast<int>(solution.snapshots.size()) == study.options.snapshots + 1;
 }
 
-// Returns the means of the moments over a period, by the trapezoidal rule. The result is empty if
-// the number of phases is too small for the harmonics of the moments.
+// Returns the means of the moments over a period of the excitation, by the trapezoidal rule. The
+// result is empty if the number of snapshots in a period is too small for the harmonics of the
+// moments.
 std::optional<Moments> mean_over_period(const TransientComparison& study,
                                         const TransientDensities& solution) {
   constexpr int kFewestPhases = 8;
@@ -396,11 +400,11 @@ std::string study_csv_text(const TransientComparison& study) {
 
 namespace {
 
-// Two values of a solution at one snapshot, such as E[y^2] and E[y'^2].
+// Two values of a solution at one snapshot, such as the moments E[y^2] and E[y'^2].
 using ValuePair = std::array<double, 2>;
 
-/// Returns a table with two columns for each solution, and a row for each shown snapshot. The text
-/// is empty if no solution has values.
+/// Returns a table with two columns for each solution, and a row for each shown snapshot. The table
+/// text is empty if no solution has values.
 /// @param values function that returns the two values of a solution at a snapshot, or an empty
 ///        value
 std::string table_over_time(
@@ -524,8 +528,8 @@ namespace {
 
 using Methods = std::vector<SelectedFunctionalMethod>;
 
-// Returns a series without points, in the plot style of the method. The marks of different
-// solutions are at different times.
+// Returns a plot series without points, in the plot style of the method. The marks of different
+// solutions are at different times, so that marks do not overlap.
 report::FigureSeries make_empty_figure_series(const Methods& methods,
                                               const TransientDensities& solution) {
   const auto method = find_method(methods, solution.id);

@@ -16,11 +16,12 @@ namespace {
 
 using fd_fpk::DensitySnapshot;
 
-// Largest numbers of pixels of a colour map, equal to the resolution of the drawn figure.
+// Largest numbers of columns and rows of pixels in a heat map, equal to the resolution of the drawn
+// figure.
 constexpr int kMaxColumns = 400;
 constexpr int kPixelRows = 200;
 
-// Interpolates the cell averages linearly between the centres of cells.
+// Interpolates cell averages of a density linearly between the centres of cells.
 double interpolate(std::span<const double> edges, std::span<const double> averages, double x) {
   const auto centre = [&](std::size_t b) { return (edges[b] + edges[b + 1]) / 2; };
   std::size_t b = std::upper_bound(edges.begin() + 1, edges.end() - 1, x) - edges.begin() - 1;
@@ -45,7 +46,7 @@ MarginalDensityOverTime density_over_time(const TransientRun& run, const std::ve
 report::FigurePanel density_heat_map_panel(const MarginalDensityOverTime& density,
                                            const std::string& title, const std::string& symbol) {
   assert(density.times.size() >= 2);
-  // Smallest drawn density, as a fraction of the largest density.
+  // Smallest drawn density in a heat map, as a fraction of the largest density.
   constexpr double kVisible = 2e-3;
   const auto& [edges, times, averages] = density;
   double largest = 0, from = edges.back(), to = edges.front();
@@ -57,8 +58,8 @@ report::FigurePanel density_heat_map_panel(const MarginalDensityOverTime& densit
       to = std::max(to, edges[b + 1]);
     }
   }
-  // If a run has more snapshots than the map has columns of pixels, the columns are interpolated in
-  // time.
+  // If a run has more snapshots than the heat map has columns of pixels, the columns are
+  // interpolated in time.
   const int last = static_cast<int>(times.size()) - 1;
   const int steps = std::min(last, kMaxColumns - 1);
   const double until = times.back(), half_step = until / steps / 2;

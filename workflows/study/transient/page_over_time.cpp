@@ -32,7 +32,7 @@ using transform::StateVariable;
 using transform::TransientDensities;
 using transform::TransientDensitySnapshot;
 
-// Ids of the HTML elements of the slider and of the plots.
+// Ids of the HTML elements of the time slider and of the plots.
 constexpr const char* kSliderId = "time";
 constexpr const char* kPlotPrefix = "over-time";
 
@@ -48,7 +48,7 @@ const TransientDensitySnapshot* find_snapshot(const TransientDensities& solution
   return snapshot < solution.snapshots.size() ? &solution.snapshots[snapshot] : nullptr;
 }
 
-// Returns the table of the moments and L1 distances of all solutions at one time.
+// Returns the HTML table of the moments and L1 distances of all solutions at one time.
 std::string snapshot_table_html(const TransientComparison& study,
                                 const TransientDensities& compared_with, std::size_t snapshot) {
   std::vector<report::HtmlTableColumn> columns{{"solution", report::TextAlignment::left}};
@@ -104,9 +104,9 @@ results::DensityCurve make_density_curve(const std::string& solution, StateVaria
   return curve;
 }
 
-// Returns the densities at one time in the form of which the report page draws the densities of a
-// case. The curve of a solution that does not reach this time has the value NaN, so that the plots
-// of all times have the same curves.
+// Returns the densities at one time as a case result, from which the report page draws density
+// plots. The curve of a solution that does not reach the selected time has the value NaN, so that
+// the plots of all times have the same curves.
 results::CaseResult densities_at(const TransientComparison& study,
                                  const std::vector<SelectedFunctionalMethod>& methods,
                                  const TransientDensities& compared_with, std::size_t snapshot) {
@@ -144,7 +144,8 @@ void extend_ranges(report::MarginalAxisRanges& all, const report::MarginalAxisRa
   }
 }
 
-// Returns the plots of the densities at each shown time. All times have the same axis ranges.
+// Returns the plots of the densities at each time of the slider. All times have the same axis
+// ranges.
 std::vector<std::vector<report::ReportPagePlot>> density_plots(
     const TransientComparison& study, const TransientDensities& compared_with,
     const std::vector<std::size_t>& shown) {
@@ -172,7 +173,7 @@ std::vector<std::vector<report::ReportPagePlot>> density_plots(
   return plots;
 }
 
-// Returns the plots of the moments and distances over time, without the heat maps of the figure.
+// Returns the plots of the moments and L1 distances over time, without the heat maps of the figure.
 std::vector<report::ReportPagePlot> plots_over_time(const TransientComparison& study) {
   report::Figure figure = study_figure(study);
   std::erase_if(figure.panels, [](const report::FigurePanel& panel) { return panel.map; });
@@ -186,8 +187,8 @@ std::vector<report::ReportPagePlot> plots_over_time(const TransientComparison& s
   return report::make_page_plots(figure, kPlotPrefix);
 }
 
-// Returns the slider that selects one of `count` times. The first time after the initial density is
-// selected first.
+// Returns the HTML slider that selects one of `count` times. The slider is initially at the first
+// time after the initial density.
 std::string slider_html(std::size_t count) {
   return fmt::format(
       "<p class=\"controls\"><label for=\"{0}\">Time</label> <input type=\"range\" id=\"{0}\" "

@@ -28,7 +28,7 @@ using report::wrap_text;
 
 constexpr const char* kFile = "transient.nc";
 
-// Replaces a value that rounds to 0 in five digits by 0, to avoid the text "-0.00000".
+// Replaces a value that rounds to 0 with five decimals by 0, to avoid the text "-0.00000".
 double without_negative_zero(double value) {
   constexpr double kHalfADigit = 5e-6;
   return std::abs(value) < kHalfADigit ? 0 : value;

@@ -10,8 +10,8 @@
 
 namespace fpkcheck::study {
 
-/// A density over time with its problem and options. Files, figures and tables are made from this
-/// struct.
+/// A density over time with its problem and options. Files, figures and tables of a density over
+/// time are made from a TransientRun.
 struct TransientRun {
   std::string command;
   problem::Problem problem;
@@ -25,8 +25,8 @@ inline constexpr int kTransientSchema = 1;
 /// Returns the JSON text of a density over time, without the marginal densities.
 std::string transient_json(const TransientRun& run);
 
-/// Returns the table of a density over time in ASCII. The rows are all snapshots, or a selection of
-/// evenly spaced snapshots.
+/// Returns the table of a density over time in ASCII. The table has a row for each snapshot, or for
+/// each of a selection of evenly spaced snapshots.
 /// @param width characters per line of the sentences; the rows of the table always have 78
 ///        characters
 std::string transient_table(const TransientRun& run, std::size_t width);
@@ -51,8 +51,8 @@ report::Figure transient_figure(const TransientRun& run);
 void write_transient_netcdf(const std::filesystem::path& file, const TransientRun& run);
 
 /// Writes transient.nc, the script figures/transient-CASE.gp and the pictures of this script into a
-/// prepared directory. After a failure a file is missing, but never incomplete. A file of an
-/// earlier run of the case is removed if the new run has no data for the file.
+/// prepared directory. After a failure an output file may be missing, but is never incomplete. An
+/// output file of an earlier run of the case is removed if the new run has no data for the file.
 /// @return warnings about pictures that could not be drawn, one line each
 /// @throws std::runtime_error if a file cannot be written
 std::vector<std::string> write_transient_files(const std::filesystem::path& directory,
@@ -69,7 +69,7 @@ struct MarginalDensityOverTime {
 
 /// Returns a heat map of a density over time.
 /// @param symbol symbol of the variable, in gnuplot's enhanced text
-/// @pre at least two times
+/// @pre the density has at least two times
 report::FigurePanel density_heat_map_panel(const MarginalDensityOverTime& density,
                                            const std::string& title, const std::string& symbol);
 
