@@ -11,8 +11,8 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// The queue is sorted after kMinMeasurements measured points, so that no thread waits for the last
-// point of the initial sample.
+// The queue of sweep points is sorted after kMinMeasurements measured points, so that no thread
+// waits for the last point of the initial sample.
 constexpr std::size_t kInitialSample = 24, kMinMeasurements = 16;
 
 }  // namespace
@@ -89,7 +89,7 @@ std::string JournaledPointQueue::sweep_resumption_text() const {
   std::string text = fmt::format("resumed from {}: {} of {} points kept, {} to solve",
                                  base::to_printable_text((directory_ / journal_name_).string()),
                                  done, total, total - done);
-  // A damaged line of the journal does not show the point to which the line belongs.
+  // A damaged line of the journal does not show the sweep point to which the line belongs.
   if (damaged == 1) text += ", including the point of 1 damaged line";
   if (damaged > 1) text += fmt::format(", including the points of {} damaged lines", damaged);
   return text;
@@ -103,7 +103,7 @@ std::optional<std::size_t> JournaledPointQueue::take_next_sweep_point() {
 void JournaledPointQueue::store_solved_point(SolvedSweepPoint&& solved) {
   queue_.record_sweep_point_solve_time(solved.result.point, solved.result.seconds);
   const std::lock_guard lock(mutex_);
-  // The marginal densities must exist before the journal lists the point as solved.
+  // The marginal densities must be written before the journal lists the sweep point as solved.
   write_marginals(plan_, directory_, solved);
   journal_.append(solved.result);
   points_.push_back(std::move(solved.result));

@@ -25,8 +25,8 @@
 namespace fpkcheck::sweep {
 namespace {
 
-/// Waits between two polls for messages, since polling takes processor time from the solver
-/// threads. The waiting time delays no solver thread, since each rank has one point in reserve.
+/// Waits between two polls for MPI messages, since polling takes processor time from the solver
+/// threads. The waiting time delays no solver thread, since each MPI rank has one point in reserve.
 class PollingBackoff {
  public:
   void wait() {
@@ -40,22 +40,24 @@ class PollingBackoff {
   std::chrono::microseconds next_ = kShortest;
 };
 
-// The first letter of a worker's message is its type. The coordinator replies to each request and
-// to each result with the number of the worker's next point, or with kNoPointsLeft.
+// The first letter of a worker's message to the coordinator is the message type. The coordinator
+// replies to each request and to each result with the number of the worker's next sweep point, or
+// with kNoPointsLeft.
 constexpr char kRequest = 'w';   // request for a point
 constexpr char kSolved = 's';    // result of a point, and next request
 constexpr char kFailed = 'f';    // text of an exception; final message of the worker
 constexpr char kFinished = 'b';  // final message of a worker without an exception
 constexpr const char* kNoPointsLeft = "none";
 
-/// Solver threads of a rank. The calling thread meanwhile exchanges messages with the other ranks.
+/// Solver threads of a rank. While the solver threads run, the calling thread exchanges messages
+/// with the other MPI ranks.
 class BackgroundSolver {
  public:
   BackgroundSolver(const SweepPlan& plan, SweepPointSource& points, int threads)
       : points_(points), solving_(std::async(std::launch::async, [&plan, &points, threads] {
           solve_remaining_sweep_points(plan, points, threads);
         })) {}
-  // the destructor of solving_ joins the threads
+  // The destructor of solving_ joins the solver threads.
   ~BackgroundSolver() { points_.stop_assigning_points(); }
   BackgroundSolver(const BackgroundSolver&) = delete;
   BackgroundSolver& operator=(const BackgroundSolver&) = delete;
@@ -63,7 +65,7 @@ class BackgroundSolver {
   bool is_running() const {
     return solving_.wait_for(std::chrono::seconds(0)) != std::future_status::ready;
   }
-  /// Joins the solver threads, and rethrows their first exception.
+  /// Joins the solver threads, and rethrows the first exception of a solver thread.
   void join() { solving_.get(); }
 
  private:
@@ -71,7 +73,7 @@ class BackgroundSolver {
   std::future<void> solving_;
 };
 
-/// Point source of a worker: the points that the coordinator assigned to the worker, and the
+/// Point source of a worker rank: the points that the coordinator assigned to the worker, and the
 /// results that the worker has not yet sent to the coordinator.
 class AssignedPoints final : public SweepPointSource {
  public:
@@ -103,7 +105,7 @@ class AssignedPoints final : public SweepPointSource {
     waiting_.push_back(point);
     changed_.notify_one();
   }
-  /// Removes and returns the messages with unsent results.
+  /// Removes and returns the messages with results that were not sent to the coordinator.
   std::vector<std::string> take_result_messages() {
     const std::lock_guard lock(mutex_);
     return std::exchange(results_, {});
@@ -178,12 +180,12 @@ void run_worker(const SweepPlan& plan, const std::filesystem::path& directory,
   constexpr int kCoordinator = 0;
   AssignedPoints points(plan, directory);
   BackgroundSolver solver(plan, points, threads);
-  // The number of open requests exceeds the number of solver threads by one. One point is in
-  // reserve, so that no thread waits for a reply.
+  // The number of open requests of a worker exceeds the number of its solver threads by one. One
+  // sweep point is in reserve, so that no solver thread waits for a reply of the coordinator.
   int open_requests = base::resolve_thread_count(threads) + 1, unsolved = 0;
   for (int k = 0; k < open_requests; ++k) ranks.send(kCoordinator, std::string(1, kRequest));
   PollingBackoff backoff;
-  // The solver threads end before the last point only after an exception or a stop request.
+  // The solver threads end before the last sweep point only after an exception or a stop request.
   while ((open_requests > 0 || unsolved > 0) && solver.is_running()) {
     bool idle = true;
     if (const auto message = ranks.receive()) {

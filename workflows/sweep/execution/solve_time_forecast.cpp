@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kMinSeconds = 1e-6;  // lower bound of a time, whose logarithm must exist
 
-/// Values of the basis functions of the quadratic polynomial at a point.
+/// Values of the basis functions of a quadratic polynomial at a sweep point.
 class QuadraticBasis {
  public:
   explicit QuadraticBasis(const SweepPlan& plan) : plan_(plan) {
@@ -45,7 +45,7 @@ class QuadraticBasis {
         linear.push_back(
             greatest > least ? 2 * (scaled(a, *number) - least) / (greatest - least) - 1 : 0.0);
       } else {
-        // Each value of a categorical key has an indicator function.
+        // Each value of a categorical key has an indicator function as basis function.
         for (const auto& word : plan_.axes[a].values) terms.push_back(word == value ? 1 : 0);
       }
     }
@@ -69,7 +69,8 @@ class QuadraticBasis {
   std::vector<Range> ranges_;
 };
 
-// Limits of the number of points in the sample, which must suffice for the fit of the cost model.
+// Limits of the number of points in the sample, which must suffice for the fit of the solve time
+// model.
 constexpr std::size_t kMinSample = 24, kMaxSample = 64;
 constexpr double kSampleFraction = 0.06;
 
@@ -79,7 +80,7 @@ std::size_t forecast_sample_size(std::size_t points) {
 }
 
 // Leave-one-out cross-validation gives the relative standard error: the root of the sum of squared
-// prediction errors, divided by the sum of the seconds.
+// prediction errors, divided by the sum of the measured seconds.
 double relative_standard_error(const SweepPlan& plan,
                                const std::vector<SolveTimeModel::Measurement>& sample) {
   if (sample.size() < 3) return 1;
@@ -114,8 +115,8 @@ SolveTimeModel::SolveTimeModel(const SweepPlan& plan, std::span<const Measuremen
     right += row * std::log(std::max(seconds, kMinSeconds));
   }
   const Eigen::VectorXd coefficients = normal.ldlt().solve(right);
-  // The exponential of the fitted mean logarithm underestimates the mean time, and is therefore
-  // scaled to the measured times.
+  // The exponential of the fitted mean logarithm underestimates the mean solve time, and is
+  // therefore scaled to the measured times.
   double sum = 0, fitted = 0;
   for (const auto& [point, seconds] : measured) {
     sum += seconds;
@@ -129,7 +130,8 @@ SolveTimeModel::SolveTimeModel(const SweepPlan& plan, std::span<const Measuremen
 
 std::vector<std::size_t> evenly_spread_sample(const std::vector<std::size_t>& candidates,
                                               std::size_t count) {
-  // Steps of the golden ratio avoid resonance with the periods of a Cartesian product of axes.
+  // Steps of the golden ratio through the list of points avoid resonance with the periods of a
+  // Cartesian product of axes.
   constexpr double kGolden = 0.6180339887498949;
   std::vector<std::size_t> chosen;
   const std::size_t most = std::min(count, candidates.size());

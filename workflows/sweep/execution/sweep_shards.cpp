@@ -70,9 +70,11 @@ SweepPlan plan_from_journal(const Json& json, const fs::path& file,
   }
 }
 
-// Returns the shards that contain the given points, e.g. "1/3 (2 points), 2/3 (1 point)".
+// Returns the text of the shards that contain the given sweep points, e.g. "1/3 (2 points), 2/3 (1
+// point)".
 std::string shards_of_points_text(const std::vector<std::size_t>& points, std::size_t of) {
-  // Largest number of shards named in a line of text. Later runs name the remaining shards.
+  // Largest number of shards that a line of text on missing points names. Later runs name the
+  // remaining shards.
   constexpr std::size_t kMaxNamedShards = 8;
   std::map<std::size_t, std::size_t> counts;
   for (const std::size_t p : points) ++counts[SweepShard::shard_containing_point(p, of).number];
@@ -128,8 +130,8 @@ MergedSweep merge_sweep_journals(const std::vector<fs::path>& directories,
   fs::path of_plan;
   std::vector<SweepPointResult> points;
   std::set<std::size_t> seen;
-  // If the numbers of shards differ between journals, the largest number is used, with which the
-  // fewest points are solved twice.
+  // If the numbers of shards differ between journals, the missing points are named for the largest
+  // number of shards, with which the fewest points are solved twice.
   std::size_t damaged = 0, of = 1;
   for (const auto& directory : directories) {
     for (const auto& file : journals_in(directory)) {

@@ -17,21 +17,23 @@ namespace fpkcheck::sweep {
 struct SweepShard {
   std::size_t number = 1, of = 1;  ///< number of this shard (1 .. of), and number of shards
 
-  /// Returns the numbers of the points in this shard: every `of`-th point of the plan. Neighbouring
-  /// points, which have similar solve times, are therefore in different shards.
+  /// Returns the numbers of the points in a shard, which are every `of`-th point of the plan.
+  /// Neighbouring points of the plan, which have similar solve times, are therefore in different
+  /// shards.
   std::vector<std::size_t> shard_point_numbers(std::size_t total_points) const;
-  /// Returns the shard that contains a point, if the plan is divided into `of` shards.
+  /// Returns the shard that contains a sweep point, if the plan is divided into `of` shards.
   static SweepShard shard_containing_point(std::size_t point, std::size_t of) {
     return {point % of + 1, of};
   }
-  /// Returns the file name of the shard's journal, e.g. "journal" or "journal.3-of-16".
+  /// Returns the file name of the journal of a shard, e.g. "journal" or "journal.3-of-16".
   std::string shard_journal_name() const;
 };
 
-/// Returns the shard whose journal has the given file name; empty for other names.
+/// Returns the shard to which a journal with the given file name belongs; empty for other file
+/// names.
 std::optional<SweepShard> shard_of_journal(std::string_view name);
 
-/// Parses a shard in the form i/N, shard i of N shards.
+/// Parses the text "i/N", which denotes shard i of N shards.
 /// @throws InputError if the text has another form
 SweepShard parse_shard(std::string_view text);
 
@@ -40,7 +42,7 @@ struct MergedSweep {
   std::vector<std::string> remarks{};  ///< remarks on missing points and damaged lines
 };
 
-/// Joins the results of all journals in the directories.
+/// Joins the results of all sweep journals in the given directories.
 /// @throws InputError with a message of one line if a directory has no journal, or if the journals
 ///         have different plans
 MergedSweep merge_sweep_journals(const std::vector<std::filesystem::path>& directories,

@@ -16,8 +16,8 @@ struct ValidityMapNeighbour {
   const ValidityMapPoint* point;
 };
 
-// Returns the map points with the impulse law and the relative mean of the problem, the closest
-// point first.
+// Returns the points of the validity map with the impulse law and the relative mean of the problem,
+// the closest point first.
 std::vector<ValidityMapNeighbour> neighbours_by_distance(const ValidityMapCoordinates& coordinates,
                                                          const ValidityMap& map) {
   std::vector<ValidityMapNeighbour> neighbours;
@@ -29,8 +29,9 @@ std::vector<ValidityMapNeighbour> neighbours_by_distance(const ValidityMapCoordi
   return neighbours;
 }
 
-// Among the promised methods that take at most 1.5 times the shortest time, moves the most accurate
-// method to the front. The factor 1.5 is the accuracy of wall-clock times.
+// Moves the most accurate of those promised methods to the front that take at most 1.5 times as
+// long as the fastest promised method. The factor 1.5 between solve times is the accuracy of
+// wall-clock times.
 void move_most_accurate_method_first(std::vector<MethodResultsAtNearbyPoints>& methods) {
   constexpr double kSimilarTimeRatio = 1.5;
   if (methods.empty() || !methods.front().promised) return;
@@ -42,8 +43,9 @@ void move_most_accurate_method_first(std::vector<MethodResultsAtNearbyPoints>& m
   std::rotate(methods.begin(), best, best + 1);
 }
 
-// The upper bound of the L1 error is the L1 distance plus the error estimate of the reference. For
-// the reference itself the bound is the error estimate alone.
+// The upper bound of the L1 error of a method is the L1 distance from the reference plus the error
+// estimate of the reference. For the reference itself the upper bound of the L1 error is the error
+// estimate alone.
 double l1_error_bound(const ValidityMapResult& method_result, const ValidityMapResult& reference) {
   return *method_result.l1 + (&method_result == &reference ? 0 : *reference.l1);
 }

@@ -64,8 +64,8 @@ std::vector<std::string_view> split_at(std::string_view text, char separator) {
                                base::in_quotes(text)));
 }
 
-// Parses a nonnegative number. All numbers of the map are nonnegative: fractions, ratios, distances
-// or times.
+// Parses a nonnegative number. All numbers of a validity map are nonnegative: fractions, ratios,
+// distances or times.
 double parse_nonnegative_number(std::string_view text) {
   const auto number = base::parse_number<double>(text);
   if (!number || !std::isfinite(*number) || *number < 0) refuse(text);
@@ -74,7 +74,7 @@ double parse_nonnegative_number(std::string_view text) {
 
 std::optional<ValidityMapResult> parse_result_cell(std::string_view cell) {
   if (cell.empty()) return std::nullopt;
-  // The letter "e" of a decimal exponent is not a status letter.
+  // The letter "e" of a decimal exponent is not a status letter of the validity map.
   const auto at =
       static_cast<std::size_t>(std::ranges::find_if(cell, is_status_letter) - cell.begin());
   if (at == cell.size()) refuse(cell);
@@ -100,13 +100,15 @@ ValidityMapPoint parse_map_point(std::string_view line, std::size_t methods) {
                       .law = std::string(cells[4]),
                       .relative_mean = parse_nonnegative_number(cells[5])},
       .method_results = {}};
-  // The map distance contains the logarithms of impulses per decay time and damping ratio.
+  // The distance in the validity map contains the logarithms of impulses per decay time and damping
+  // ratio.
   const auto& groups = point.coordinates.groups;
   if (groups.impulses_per_decay_time == 0 || groups.damping_ratio == 0) refuse(line);
   for (std::size_t m = 0; m < methods; ++m) {
     point.method_results.push_back(parse_result_cell(cells[kCoordinateColumns.size() + m]));
   }
-  // The last method of the map is the reference, which must have an error estimate at every point.
+  // The last method of the validity map is the reference, which must have an error estimate at
+  // every point.
   if (!point.method_results.back() || !point.method_results.back()->l1) refuse(line);
   return point;
 }

@@ -23,8 +23,8 @@ using base::Value;
 constexpr std::size_t kMaxValues = 1'000'000;
 constexpr std::string_view kLogarithmic = "log:";
 
-// Rounds a number, since 0.57 is easier to read than 0.5700000000000001. Twelve digits exceed the
-// accuracy of every solver.
+// Rounds a number to twelve digits, since 0.57 is easier to read than 0.5700000000000001. Twelve
+// digits of a parameter exceed the accuracy of every solver.
 double round_to_twelve_digits(double number) {
   return base::parse_number<double>(fmt::format("{:.12g}", number)).value_or(number);
 }
@@ -133,8 +133,8 @@ SweepAxis parse_sweep_axis(std::string_view key, std::string_view values,
     }
   };
   if (axis.spacing != SweepAxisSpacing::listed) {
-    // The values of a range are sorted and need no sorted copy, which would take 40 MB for a
-    // million values.
+    // The values of a range are sorted already, and a sorted copy would take 40 MB for a million
+    // values.
     require_distinct(axis.values);
   } else {
     auto sorted = axis.values;

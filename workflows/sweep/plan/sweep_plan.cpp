@@ -70,7 +70,7 @@ SweepPlanPoints listed_points(const std::vector<SweepAxis>& axes) {
 }
 
 // Returns points of the Sobol sequence (Sobol 1967; direction numbers of Joe and Kuo 2008). The
-// first point of the sequence, a corner of the box of ranges, is omitted.
+// first point of the Sobol sequence, a corner of the box of parameter ranges, is omitted.
 SweepPlanPoints sobol_points_in_box(const std::vector<SweepAxis>& axes, std::size_t count) {
   if (count == 0) {
     throw InputError("the design sobol has no number of points (give --points N)");

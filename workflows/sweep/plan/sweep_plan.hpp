@@ -22,19 +22,19 @@ inline constexpr base::EnumEntry<SweepAxisSpacing> kSpacingNames[] = {
 constexpr const auto& enumerator_names(SweepAxisSpacing) { return kSpacingNames; }
 constexpr std::string_view name(SweepAxisSpacing spacing) { return base::name_of(spacing); }
 
-/// A key of case files that the sweep varies, and the values of this key.
+/// A key of case files that a sweep varies, with the values of the key.
 struct SweepAxis {
   std::string key;  ///< varied key, e.g. "system.restitution"
   SweepAxisSpacing spacing = SweepAxisSpacing::listed;
   double from = 0, to = 0;  ///< ends of the range of a numerical key
-  /// Values of the key: numbers, or words such as "gaussian". The list is empty for a range of a
-  /// Sobol sequence.
+  /// Values of the varied key: numbers, or words such as "gaussian". The list of values is empty
+  /// for a key that a Sobol sequence varies over a range.
   std::vector<base::Value> values = {};
 
-  /// Returns the value of the key at a relative position in the range, rounded to 12 digits.
-  /// @param part relative position, 0 <= part <= 1
+  /// Returns the value of the varied key at a relative position in its range, rounded to 12 digits.
+  /// @param part relative position, from 0 (lower end of the range) to 1
   double value_at_fraction(double part) const;
-  /// Returns the axis as text, e.g. "system.restitution = 0.5:0.99:50".
+  /// Returns the axis of a sweep as text, e.g. "system.restitution = 0.5:0.99:50".
   std::string axis_definition_text() const;
 };
 
@@ -60,10 +60,11 @@ constexpr std::string_view name(SweepPlanDesign design) { return base::name_of(d
 
 inline constexpr std::size_t kMaxPoints = 1'000'000;
 
-/// Points of a plan. Each point has one value for each axis, in the order of the axes.
+/// Points of a plan. Each point of a sweep plan has one value for each axis, in the order of the
+/// axes.
 using SweepPlanPoints = std::vector<std::vector<base::Value>>;
 
-/// @param sobol_points number of points for the design sobol; 0 for other designs
+/// @param sobol_points number of points for the design `sobol`; 0 for other designs
 /// @throws InputError if axes and design are inconsistent, or if the plan has more than kMaxPoints
 ///         points
 SweepPlanPoints make_sweep_plan_points(const std::vector<SweepAxis>& axes, SweepPlanDesign design,
@@ -75,7 +76,8 @@ SweepPlanPoints make_sweep_plan_points(const std::vector<SweepAxis>& axes, Sweep
 void require_known_constants(const problem::Problem& base, const std::vector<SweepAxis>& axes);
 
 enum class ClosureErrorSource {
-  /// Distance from the reference of the point, plus the error estimate of the reference.
+  /// L1 distance from the reference solution of the sweep point, plus the error estimate of the
+  /// reference.
   reference,
   residuals  ///< residual-based error estimates, which need no reference
 };
@@ -95,11 +97,11 @@ struct SweepPlan {
   ClosureErrorSource closure_errors = ClosureErrorSource::reference;
   SweepPlanPoints points{};  ///< points of the plan, computed by make_sweep_plan_points()
 
-  /// @throws InputError if the values of the point are inconsistent
+  /// @throws InputError if the parameter values of the sweep point are inconsistent
   problem::Problem problem_at_sweep_point(std::size_t point) const;
 };
 
-/// Parsed plan in which the methods are given by names, as input for a registry of solvers.
+/// Parsed sweep plan in which the methods are given by names, as input for a registry of solvers.
 struct ParsedSweepPlan {
   problem::Problem base;
   std::vector<SweepAxis> axes{};

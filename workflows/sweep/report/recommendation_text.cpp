@@ -63,8 +63,8 @@ std::string nearby_results_table(const std::vector<MethodResultsAtNearbyPoints>&
   return report::format_text_table(std::move(columns), format);
 }
 
-// Returns a sentence on methods with underestimated errors. The sentence states the equation and
-// impact condition of the method, to which the status `ok` refers, e.g. "fd-white (solves
+// Returns a sentence on the methods that underestimate their errors. The sentence on a method
+// states its equation and impact condition, to which the status `ok` refers, e.g. "fd-white (solves
 // white/map, error up to 0.11 at 31 of 31 points)".
 std::string underestimated_error_sentence(const MethodRecommendation& advice,
                                           const methods::SolverRegistry& registry) {

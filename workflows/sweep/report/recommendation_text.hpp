@@ -24,7 +24,7 @@ std::string recommendation_text(const MethodRecommendation& advice,
                                 const RecommendationContext& context,
                                 const report::TerminalTextFormat& format);
 
-/// Returns the recommendation as JSON, the output of --json.
+/// Returns the recommendation of methods as JSON, the output of --json.
 std::string recommendation_json(const MethodRecommendation& advice,
                                 const RecommendationContext& context,
                                 const std::string& command_line);

@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* kPage = "report.html";
 
-// The page embeds an SVG, which is sharp at any size, or a PNG if the SVG file is large.
+// The report page embeds each picture as SVG, which is sharp at any size, or as PNG if the SVG file
+// is large.
 std::vector<EmbeddedPicture> drawn_pictures(const fs::path& figures,
                                             const std::vector<SweepFigure>& pictures) {
   constexpr std::uintmax_t kLargestSvg = 1'000'000;
@@ -53,7 +54,7 @@ std::vector<std::string> write_report(const fs::path& directory, const SweepResu
   const auto pictures = sweep_figures(results, options.width);
   const fs::path figures = directory / "figures";
   report::FigureOptions drawn = options;
-  // PNG and SVG files are always drawn, since the page needs them.
+  // PNG and SVG files are always drawn, since the report page needs both formats.
   for (const auto format : {report::FigureFormat::png, report::FigureFormat::svg}) {
     if (std::ranges::count(drawn.formats, format) == 0) drawn.formats.push_back(format);
   }

@@ -11,8 +11,8 @@
 
 namespace fpkcheck::sweep {
 
-/// Returns table columns with one row for each method: the number of solutions with each status,
-/// the L1 distances of `ok` solutions from the references, and the wall-clock time.
+/// Returns table columns with one row for each method of a sweep: the number of solutions with each
+/// status, the L1 distances of `ok` solutions from the references, and the wall-clock time.
 std::vector<report::TextTableColumn> method_table_columns(const SweepResults& results);
 
 const char* method_table_legend();

@@ -28,7 +28,7 @@ std::string prepend_checksum(const std::string& text) {
   return results::crc32_hex(text) + ' ' + text;
 }
 
-// Returns the text of a line after the checksum; empty if the checksum is wrong.
+// Returns the text of a journal line after the checksum; empty if the checksum is wrong.
 std::optional<std::string> verify_and_strip_checksum(const std::string& line) {
   if (line.size() <= kChecksum + 1 || line[kChecksum] != ' ') return std::nullopt;
   std::string text = line.substr(kChecksum + 1);

@@ -13,7 +13,7 @@ namespace fpkcheck::sweep {
 
 struct SweepJournalContent {
   std::string plan;  ///< JSON text of the plan by sweep_plan_json(); empty for a new journal
-  /// Results of the points in the order of their solution, without duplicates.
+  /// Results of the solved points in the order of their solution, without duplicates.
   std::vector<SweepPointResult> points{};
   std::size_t damaged = 0;  ///< number of damaged journal lines, which are ignored
 };
@@ -22,26 +22,28 @@ struct SweepJournalContent {
 /// reads the journal.
 /// @throws InputError with a message of one line if the file is no journal
 SweepJournalContent read_sweep_journal(const std::filesystem::path& file);
-/// @throws InputError with a message of one line if the file is no journal, or belongs to another
-///         plan
+/// @throws InputError with a message of one line if the file is no sweep journal, or is the journal
+///         of another plan
 SweepJournalContent read_sweep_journal(const std::filesystem::path& file, const SweepPlan& plan);
 
-/// Journal file from which an interrupted sweep is resumed. The first line contains the plan, and
-/// each solved point adds a line with a CRC-32 checksum. If the process is killed, at most the last
-/// line of the journal is incomplete. An incomplete line is ignored, and its point is solved again.
+/// Journal file from which an interrupted sweep is resumed. The first line of a journal contains
+/// the sweep plan, and each solved point adds a line with a CRC-32 checksum. If the process of a
+/// sweep is killed, at most the last line of its journal is incomplete. An incomplete line of a
+/// journal is ignored, and its sweep point is solved again.
 class SweepJournal {
  public:
-  /// Opens or creates the journal.
+  /// Opens or creates the journal of a sweep.
   /// @throws InputError if the file belongs to another plan, is no journal, or is open in another
   ///         process
   /// @throws std::runtime_error if the file cannot be written
   SweepJournal(const std::filesystem::path& file, const SweepPlan& plan);
 
-  /// Returns the content of the journal at the time of opening.
+  /// Returns the content of the sweep journal at the time of opening.
   const SweepJournalContent& initial_journal_content() const { return initial_content_; }
 
-  /// Appends the result of a point as one complete line, or leaves the file unchanged. The file is
-  /// flushed if the last flush was more than 1 s ago. The function is not thread-safe.
+  /// Appends the result of a point to the journal as one complete line, or leaves the journal file
+  /// unchanged. The journal file is flushed if the last flush was more than 1 s ago. The function
+  /// append() is not thread-safe.
   /// @throws std::runtime_error with a message of one line
   void append(const SweepPointResult& result);
 

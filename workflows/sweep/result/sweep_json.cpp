@@ -33,7 +33,7 @@ Enum enum_from_json(const Json& json) {
   return *value;
 }
 
-// JSON does not distinguish 1 from 1.0, but all numeric values of keys are doubles.
+// JSON does not distinguish 1 from 1.0, but all numeric values of varied keys are doubles.
 base::Value integer_to_double(base::Value value) {
   const auto* whole = std::get_if<std::int64_t>(&value);
   return whole == nullptr ? value : static_cast<double>(*whole);

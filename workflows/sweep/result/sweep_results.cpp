@@ -19,12 +19,13 @@
 namespace fpkcheck::sweep {
 namespace {
 
-/// A number of a method's result, which is a column of sweep.csv and a variable of sweep.nc.
+/// A number in the result of a method, which is a column of sweep.csv and a variable of sweep.nc.
 struct SweepResultColumn {
   std::string header;    ///< header of the column of sweep.csv
   std::string variable;  ///< name of the variable of sweep.nc
   std::string meaning;   ///< description of the variable of sweep.nc
-  /// Function that returns the number of a result; empty if the result has no such number.
+  /// Function that returns the number from the result of a method; empty if the result has no such
+  /// number.
   std::function<std::optional<double>(const SweepMethodResult&)> number;
 };
 
@@ -39,7 +40,8 @@ std::vector<SweepResultColumn> moment_columns() {
   return columns;
 }
 
-// @param header, variable names in which "{}" stands for y or ydot
+// @param header, variable names of the column in sweep.csv and sweep.nc, in which "{}" stands for y
+//        or ydot
 std::vector<SweepResultColumn> marginal_columns(
     const std::string& header, const std::string& variable, const std::string& meaning,
     const std::function<std::optional<MarginalL1Values>(const SweepMethodResult&)>& pair) {
@@ -93,7 +95,8 @@ std::string csv_value_cell(const base::Value& value) {
                            : results::quote_csv_field(std::get<std::string>(value));
 }
 
-// The cells of the dimensionless groups are empty if the values of the point are inconsistent.
+// The table cells of the dimensionless groups are empty if the parameter values of the point are
+// inconsistent.
 std::string dimensionless_groups_cells(const SweepPlan& plan, std::size_t point) {
   try {
     const DimensionlessGroups groups = dimensionless_groups(plan.problem_at_sweep_point(point));
@@ -223,7 +226,8 @@ std::string sweep_csv_text(const SweepResults& results) {
       const SweepMethodResult& method = point.methods[m];
       std::vector<std::string> cells{plan.methods[m].id(), std::string(name(method.status)),
                                      results::quote_csv_field(method.reason)};
-      // Numbers have ten digits, which exceed the accuracy of every solver and keep the file small.
+      // Numbers in sweep.csv have ten digits, which exceed the accuracy of every solver and keep
+      // the file small.
       const auto add_cells = [&](const std::vector<SweepResultColumn>& columns) {
         for (const auto& column : columns) {
           const auto number = column.number(method);

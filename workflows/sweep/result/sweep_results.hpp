@@ -17,7 +17,7 @@ struct MarginalL1Values {
   bool operator==(const MarginalL1Values&) const = default;
 };
 
-/// One part of an error budget (compare/error_budget.hpp) and its L1 distance.
+/// One part of an error budget (compare/error_budget.hpp) with its L1 distance.
 struct ErrorBudgetContribution {
   std::string part;  ///< name of the part (compare::ErrorBudgetPart::error_budget_part_name)
   MarginalL1Values l1;
@@ -38,7 +38,7 @@ struct SweepMethodResult {
 struct SweepPointResult {
   std::size_t point = 0;
   double seconds = 0;  ///< wall-clock time of all methods and comparisons
-  /// Id of the reference of the point; empty if no solution of the full problem exists.
+  /// Id of the reference solution of the point; empty if no solution of the full problem exists.
   std::string reference = {};
   std::vector<SweepMethodResult> methods{};  ///< results in the order of the plan's methods
 };
@@ -52,19 +52,20 @@ struct SweepResults {
   std::vector<std::string> error_budget_part_names() const;
 };
 
-/// Makes the results of a sweep, with the points sorted by number.
+/// Makes the results of a sweep from the results of its points, sorted by point number.
 SweepResults make_sweep_results(SweepPlan plan, std::vector<SweepPointResult> points);
 
-/// Returns the contents of sweep.csv, with a row for each point and method.
+/// Returns the contents of sweep.csv, with a row for each sweep point and method.
 std::string sweep_csv_text(const SweepResults& results);
 
-/// Returns the contents of sweep.nc, with the values of sweep.csv. For the design `product` the
-/// varied keys are the dimensions. For other designs the only dimension is `point`. Unsolved points
-/// have the value NaN and the status -1.
+/// Returns the contents of the netCDF file sweep.nc, with the values of sweep.csv. For the design
+/// `product` the varied keys are the dimensions of the variables in sweep.nc. For designs other
+/// than `product` the only dimension in sweep.nc is `point`. In sweep.nc unsolved points have the
+/// value NaN and the status -1.
 std::string sweep_netcdf_bytes(const SweepResults& results, const std::string& command);
 
-/// Returns the output of --json: the plan, and the results of each point with the values of its
-/// varied keys.
+/// Returns the output of --json: the sweep plan, and the results of each point with the values of
+/// its varied keys.
 std::string sweep_json_text(const SweepResults& results, const std::string& command);
 
 }  // namespace fpkcheck::sweep

@@ -12,32 +12,37 @@
 
 namespace fpkcheck::sweep {
 
-/// Draws the L1 distances of p(y) and p(y') from the reference of each point, as functions of a
-/// varied key. Open marks show solutions that are not ok, and crosses at the top show solutions
-/// without a density. Dotted lines show the error estimates of the methods, and a grey area shows
-/// the error estimate of the reference. Each value of a second, categorical key has a row of
-/// panels.
+/// Draws the L1 distances of p(y) and p(y') from the reference solution of each sweep point, as
+/// functions of a varied key. Open marks in the figure show solutions that are not ok, and crosses
+/// at the top show solutions without a density. Dotted lines show the error estimates of the
+/// methods, and a grey area shows the error estimate of the reference solution. Each value of a
+/// second, categorical varied key has a row of panels.
 /// @param view results with at least one method to compare
 report::Figure distance_curves_figure(const SweepResultsView& view);
 
-/// Draws E[y^2] and E[y'^2] as functions of a varied key. Open marks show solutions that are not
-/// `ok`. Only `ok` solutions determine the axis ranges.
+/// Draws E[y^2] and E[y'^2] as functions of the varied key of a sweep. Open marks in the figure
+/// show solutions with a status other than `ok`. Only solutions with the status `ok` determine the
+/// axis ranges.
 report::Figure moment_curves_figure(const SweepResultsView& view);
 
-/// Draws a map over the two varied keys for each method. The colour shows the larger of the L1
-/// distances of p(y) and p(y') from the reference of each point. For the design `product` with
-/// numerical keys, contours show L1 distances of 1 % and 5 %. Marks show statuses other than `ok`.
-/// For other designs each point is a coloured disc.
+/// Draws, for each method of a sweep, a map over the two varied keys. The colour of a map shows the
+/// larger of the L1 distances of p(y) and p(y') from the reference solution of each sweep point.
+/// For the design `product` with numerical keys, contours in the map show L1 distances of 1 % and 5
+/// %. Marks show statuses other than `ok`. For designs other than `product`, each sweep point is a
+/// coloured disc.
 /// @param view results with two varied keys and at least one method to compare
 report::Figure distance_map_figure(const SweepResultsView& view);
 
-/// Draws a scatter plot against each varied key, for plans with many keys. The ordinate is the
-/// larger of the L1 distances of p(y) and p(y') from the reference of each point. Open marks show
-/// solutions that are not ok. A line shows medians of the `ok` solutions over bins of the key.
+/// Draws scatter plots of L1 distances against each varied key, for sweeps with many keys. The
+/// ordinate of a scatter plot is the larger of the L1 distances of p(y) and p(y') from the
+/// reference solution of each sweep point. Open marks in a scatter plot show solutions with a
+/// status other than `ok`. A line in a scatter plot shows medians of the `ok` solutions over bins
+/// of the varied key.
 report::Figure distance_scatter_figure(const SweepResultsView& view);
 
-/// Returns the logarithmic axis of the L1 distances. The axis has at most eight decades and an
-/// upper end near 20, since solutions that are not `ok` may have arbitrary distances.
+/// Returns the logarithmic axis of the L1 distances in a figure of a sweep. The axis of L1
+/// distances has at most eight decades and an upper end near 20, since solutions that are not `ok`
+/// may have arbitrary distances.
 /// @param rows_above number of rows of marks that need space above the distances
 report::FigureAxis l1_distance_axis(const std::string& label,
                                     const std::vector<report::FigurePanel>& panels,
@@ -55,8 +60,8 @@ struct SweepFigure : report::PictureGnuplotScript {
 std::vector<SweepFigure> sweep_figures(const SweepResults& results,
                                        report::FigureWidth width = report::FigureWidth::screen);
 
-/// Writes the script STEM.gp of each figure, draws the figure, and removes figures that belong to
-/// another plan.
+/// Writes the gnuplot script STEM.gp of each sweep figure, draws the figure, and removes figures
+/// that belong to another plan.
 /// @return a warning for each picture that was not drawn; a single warning if gnuplot is missing
 std::vector<std::string> draw_sweep_figures(const std::filesystem::path& figures,
                                             const std::vector<SweepFigure>& pictures,

@@ -15,7 +15,8 @@ using base::Value;
 
 constexpr std::size_t kMaxTics = 6;
 
-// Returns tic positions: multiples of 1, 2 or 5 times a power of ten, at least kMaxTics / 2 tics.
+// Returns at least kMaxTics / 2 tic positions, which are multiples of 1, 2 or 5 times a power of
+// ten.
 std::vector<double> round_tics(double low, double high) {
   const double rough = (high - low) / static_cast<double>(kMaxTics);
   const double power = std::pow(10, std::floor(std::log10(rough)));
@@ -45,8 +46,8 @@ std::vector<double> round_tics_by_decades(double low, double high) {
   return numbers.size() < 2 ? round_tics(low, high) : numbers;
 }
 
-// Returns whether the largest listed value exceeds the smallest by a factor above 20. Such values
-// are drawn on a logarithmic axis.
+// Returns whether the largest value of a list exceeds the smallest value by a factor above 20.
+// Values that differ by a factor above 20 are drawn on a logarithmic axis.
 bool spans_decades(const std::vector<Value>& sorted) {
   constexpr double kDecadeRatio = 20;
   const double low = std::get<double>(sorted.front()), high = std::get<double>(sorted.back());

@@ -23,21 +23,21 @@ using transform::Moments;
 using transform::StateVariable;
 
 constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
-// Height of a row of marks, as a fraction of the panel height.
+// Height of a row of marks above the curves, as a fraction of the panel height.
 constexpr double kMarkRowHeight = 0.045;
 
 double value_of(const MarginalL1Values& pair, StateVariable variable) {
   return variable == StateVariable::y ? pair.y : pair.ydot;
 }
 
-/// Slice of a plan: the points of one row of panels, in the order of the key on the abscissa.
+/// Slice of a sweep plan: the points of one row of panels, in the order of the key on the abscissa.
 struct SweepPlanSlice {
   std::string name;  ///< value of the second key, e.g. "gaussian"; may be empty
   std::vector<std::size_t> points;
 };
 
-/// Curves of a sweep along a varied key. If a plan has two keys, the abscissa is the numerical key,
-/// and each value of the second key has a slice.
+/// Curves of a sweep along a varied key. If a sweep has two keys, the abscissa is the numerical
+/// key, and each value of the second key has a slice.
 class SweepCurves {
  public:
   explicit SweepCurves(const SweepResultsView& view)
@@ -72,17 +72,19 @@ class SweepCurves {
   double abscissa(std::size_t point) const {
     return along_.coordinate(view_.sweep_plan().points[point][place_]);
   }
-  /// Returns the abscissa of a point for a method. On a categorical axis the methods are side by
-  /// side at each category.
+  /// Returns the abscissa of a sweep point in the curve of a method. On a categorical axis the
+  /// points of the methods are side by side at each category.
   double abscissa(std::size_t point, std::size_t m) const {
-    // Width over which the methods of a category are spread, relative to the category.
+    // Width over which the methods at a category are spread, relative to the distance of
+    // categories.
     constexpr double kSpread = 0.7;
     const auto count = static_cast<double>(method_count());
     const double beside = (static_cast<double>(m) - (count - 1) / 2) * kSpread / count;
     return abscissa(point) + (is_categorical() ? beside : 0);
   }
 
-  /// Returns a figure with a row of empty panels (displacement and velocity) for each slice.
+  /// Returns a figure with a row of empty panels (displacement and velocity) for each slice of the
+  /// sweep plan.
   report::Figure panels() const {
     report::Figure figure{.title = view_.figure_title_parts(),
                           .panel_height = slices_.size() > 1 ? 250 : 350};
@@ -98,11 +100,12 @@ class SweepCurves {
     return figure;
   }
 
-  /// Returns the curve of a method. On a categorical axis the curve has marks without a line.
+  /// Returns the curve of a method. On a categorical axis the curve of a method has marks without a
+  /// line.
   /// @param value function that returns the optional ordinate of a method's result
   template <class Value>
   FigureSeries curve(const SweepPlanSlice& slice, std::size_t m, Value value) const {
-    // Limits of the line width, since neighbouring curves with wide lines would overlap.
+    // Limits of the width of curves, since neighbouring curves with wide lines would overlap.
     constexpr double kThin = 1.5, kBroad = 2.5;
     const auto& identity = view_.sweep_plan().methods[m].identity;
     FigureSeries series = report::make_empty_figure_series(identity.id, identity.plot_style);
@@ -156,8 +159,8 @@ class DistanceSeries {
     return value_of(*result.l1, variable_);
   }
 
-  // Returns the area of the error estimate of the reference. On a categorical axis each category
-  // has its own bar.
+  // Returns the area that shows the error estimate of the reference solution. On a categorical axis
+  // the error estimate of the reference has a separate bar for each category.
   FigureSeries reference_error() const {
     FigureSeries series{.name = "error of the reference",
                         .colour = "#AAAAAA",
@@ -179,8 +182,8 @@ class DistanceSeries {
     return series;
   }
 
-  // Returns the error estimates of a method as a line. On a categorical axis a line connects the L1
-  // distance and the error estimate.
+  // Returns the error estimates of a method as a line of the figure. On a categorical axis a line
+  // at each category connects the L1 distance and the error estimate of a method.
   FigureSeries error_estimate(std::size_t m, const FigureSeries& distances) const {
     FigureSeries series{.name = "error estimate",
                         .colour = distances.colour,
@@ -206,14 +209,15 @@ class DistanceSeries {
   StateVariable variable_;
 };
 
-// Returns whether a point has a reference, but the method has no density at this point.
+// Returns whether a sweep point has a reference solution, but the method has no density at this
+// point.
 bool lacks_density(const SweepResultsView& view, std::size_t point, std::size_t m) {
   const auto* result = view.method_result(point, m);
   return result != nullptr && !result->l1 && !view.is_reference(point, m) &&
          result->status != transform::Status::ok && !view.point_result(point)->reference.empty();
 }
 
-// Returns crosses at the top of a panel for points without a density, with a series for each
+// Returns crosses at the top of a panel for sweep points without a density, with a series for each
 // method.
 std::vector<FigureSeries> no_density_series(const SweepResultsView& view, const SweepCurves& curves,
                                             const SweepPlanSlice& slice,
@@ -235,8 +239,8 @@ std::vector<FigureSeries> no_density_series(const SweepResultsView& view, const 
   return all;
 }
 
-// The axis range contains only `ok` solutions, since outliers among other solutions would compress
-// the curves.
+// The range of the moment axis contains only `ok` solutions, since outliers among other solutions
+// would compress the curves.
 report::FigureAxis moment_axis(const std::string& label,
                                const std::vector<const FigurePanel*>& panels) {
   std::vector<FigureSeries> ok, all;

@@ -19,7 +19,8 @@ using report::FigureSeries;
 using transform::Status;
 
 constexpr double kNoDistance = std::numeric_limits<double>::quiet_NaN();
-// Smallest L1 distance on the colour scale. Smaller L1 distances have the colour of this distance.
+// Smallest L1 distance on the colour scale of the map. L1 distances below kMinColourDistance have
+// the colour of kMinColourDistance.
 constexpr double kMinColourDistance = 1e-4;
 
 struct ContourLevel {
@@ -30,8 +31,9 @@ struct ContourLevel {
 };
 constexpr ContourLevel kContourLevels[] = {{0.01, "1 %", 2, "solid"}, {0.05, "5 %", 2.6, "(8,5)"}};
 
-/// Marks show a status other than `ok`, or the reference, which has no distance from itself. The
-/// symbols differ in shape, so that grey print distinguishes the symbols.
+/// A mark on the map shows a status other than `ok`, or the reference solution, which has no
+/// distance from itself. The marks of statuses differ in shape, so that grey print distinguishes
+/// the statuses.
 struct SolutionStatusMark {
   const char* symbol;
   std::string name;
@@ -56,8 +58,9 @@ std::vector<SolutionStatusMark> status_marks() {
   return marks;
 }
 
-/// Map of the results of one method. For the design `product` the map has cells, whose coordinates
-/// are the indices of the values. For all other designs the map has discs at the points.
+/// Map of the results of one method. For the design `product` the map of a method has cells, whose
+/// coordinates are the indices of the parameter values. For designs other than `product` the map of
+/// a method has discs at the sweep points.
 class MethodResultMap {
  public:
   MethodResultMap(const SweepResultsView& view, std::size_t m)
@@ -101,20 +104,22 @@ class MethodResultMap {
     return static_cast<std::size_t>(std::max(1, pixels / kMarkSpacing));
   }
 
-  // The size of discs decreases with the number of points, so that discs do not overlap.
+  // The size of the map's discs decreases with the number of sweep points, so that discs do not
+  // overlap.
   double disc_size(int columns_of_panels) const {
     const auto points = static_cast<double>(view_.sweep_plan().points.size()) * columns_of_panels;
     return std::clamp(36 / std::sqrt(points), 0.5, 1.6);
   }
 
-  // Returns the larger L1 distance, with a positive lower bound, so that its logarithm is finite.
+  // Returns the larger L1 distance of p(y) and p(y'), with a positive lower bound, so that its
+  // logarithm is finite.
   double distance(std::size_t point) const {
     const auto l1 = view_.larger_marginal_l1(point, m_);
     return l1 ? std::max(*l1, kMinColourDistance / 10) : kNoDistance;
   }
 
-  // The colours range from light (but not white) to dark, so that grey print preserves the order of
-  // the values. Black marks are visible on all colours.
+  // The colours of the map range from light (but not white) to dark, so that grey print preserves
+  // the order of the values. Black marks are visible on all colours.
   report::FigureHeatMap heat_map(double disc_size) const {
     report::FigureHeatMap map{
         .x_range = {-0.5, static_cast<double>(columns()) - 0.5},
@@ -139,7 +144,7 @@ class MethodResultMap {
     return map;
   }
 
-  // Returns marks of one kind. The plane is divided into tiles with at most one mark, since
+  // Returns marks of one kind. The map is divided into tiles with at most one mark, since
   // overlapping marks are illegible. A map with few points shows all marks.
   FigureSeries marks(const SolutionStatusMark& mark, std::size_t tiles_across, std::size_t tiles_up,
                      double size) const {
@@ -148,7 +153,7 @@ class MethodResultMap {
                         .colour = "#000000",
                         .line_width = 1.2,
                         .symbol = mark.symbol,
-                        // A large filled mark would hide the colour of the map.
+                        // A large filled mark would hide the colour of the map below the mark.
                         .mark_size = mark.status == Status::inaccurate ? size / 2 : size};
     const bool is_few = !has_cells() && view_.sweep_plan().points.size() <= kFewPoints;
     std::set<std::array<std::size_t, 2>> taken;
@@ -182,7 +187,7 @@ class MethodResultMap {
     series.points.push_back({to[0], kNoDistance});
   }
 
-  // Returns the border lines between cells with status `ok` and cells with another status.
+  // Returns the border lines between map cells with status `ok` and cells with another status.
   FigureSeries outline() const {
     FigureSeries series{
         .name = "outline: not ok", .colour = "#000000", .dash = "solid", .line_width = 0.8};
@@ -205,7 +210,7 @@ class MethodResultMap {
     return series;
   }
 
-  // Returns a contour by marching squares. The logarithms of the distances are interpolated
+  // Returns a contour by marching squares. The logarithms of the L1 distances are interpolated
   // linearly along the edges of squares of four neighbouring cells.
   FigureSeries contour(const ContourLevel& level) const {
     FigureSeries series{.name = level.name,

@@ -17,14 +17,15 @@ namespace {
 using report::FigureSeries;
 
 constexpr std::size_t kMaxBins = 8;
-// Smallest number of points for which the figure shows the median over a section of a range.
+// Smallest number of sweep points for which the figure shows the median over a section of a
+// parameter range.
 constexpr std::size_t kMinPointsForMedian = 3;
-// Width over which the methods at a categorical value are spread, relative to the distance of the
+// Width over which the methods at a category of the axis are spread, relative to the distance of
 // categories.
 constexpr double kWordSpread = 0.6;
 
-/// Bins of a key for medians: single values if the key has few values, otherwise sections of its
-/// range.
+/// Bins of a varied key for medians: single values if the key has few values, otherwise sections of
+/// its range.
 class ParameterValueBins {
  public:
   ParameterValueBins(const SweepPlan& plan, std::size_t place) : axis_(plan, place), place_(place) {
@@ -63,8 +64,8 @@ class ParameterValueBins {
   std::size_t sections_ = 0;  // number of sections; 0 if each value is a bin
 };
 
-// Returns two series of a method: the results, with open marks for statuses other than `ok`, and
-// the medians over the bins.
+// Returns two scatter plot series of a method: the results, with open marks for statuses other than
+// `ok`, and the medians over bins of the key.
 std::vector<FigureSeries> method_series(const SweepResultsView& view, const ParameterValueBins& key,
                                         std::size_t m, double offset) {
   const auto& identity = view.sweep_plan().methods[m].identity;

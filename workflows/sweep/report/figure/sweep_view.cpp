@@ -11,7 +11,8 @@
 namespace fpkcheck::sweep {
 namespace {
 
-// Returns the parameters that are not varied and differ from their default values, e.g. "c = 0.1".
+// Returns the parameters that the sweep does not vary and that differ from their default values,
+// e.g. "c = 0.1".
 std::vector<std::string> fixed_parameter_list(const SweepPlan& plan) {
   std::vector<std::string> list;
   for (const auto& parameter : problem::parameters_for_reports(plan.base)) {

@@ -20,7 +20,7 @@ namespace {
 using report::escape_html;
 using report::html_element;
 
-// On a narrow screen a picture scrolls instead of shrinking.
+// On a narrow screen a picture of the page scrolls instead of shrinking.
 constexpr const char* kPictureStyle =
     "figure { margin: 1.2rem 0; }\n"
     ".picture { overflow-x: auto; }\n"

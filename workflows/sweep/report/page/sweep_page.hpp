@@ -18,8 +18,8 @@ struct EmbeddedPicture {
 std::string sweep_page(const SweepResults& results, const std::vector<EmbeddedPicture>& pictures,
                        const std::string& command);
 
-/// Results of one method that are not `ok` for the same reason. Reasons that differ only in numbers
-/// count as equal.
+/// Results of one method in a sweep that have a status other than `ok` for the same reason. Reasons
+/// for a status that differ only in numbers count as equal.
 struct StatusReasonGroup {
   std::size_t method;
   transform::Status status;
@@ -28,12 +28,12 @@ struct StatusReasonGroup {
   std::string reason;     ///< reason for the status of the result at the first point
 };
 
-/// Returns the groups of results that have equal reasons for their status, the most frequent reason
+/// Returns groups of results with equal reasons for their status, the group with the most results
 /// first.
 std::vector<StatusReasonGroup> status_reason_groups(const SweepResults& results);
 
-/// Replaces numbers in a reason by dots, e.g. "residual ... after ... steps". Digits within words
-/// ("km4") are kept.
+/// Replaces numbers in the text of a reason by dots, e.g. "residual ... after ... steps". Digits
+/// within words ("km4") are kept.
 std::string replace_numbers_by_dots(const std::string& reason);
 
 }  // namespace fpkcheck::sweep
