@@ -37,7 +37,7 @@ examples:
   fpkcheck advise case1 --set system.restitution=0.8 --set impulse.rate=0.1
 )";
 
-// Returns a text quoted, if necessary, as one argument of a POSIX shell command.
+// Returns a text, quoted if necessary, as one argument of a POSIX shell command.
 std::string quote_for_shell(const std::string& text) {
   const auto plain = [](unsigned char c) {
     return std::isalnum(c) != 0 || std::string_view("_./=:,+-").find(char(c)) != std::string::npos;
@@ -55,7 +55,7 @@ std::string case_arguments(const CommonCommandArguments& common) {
   return words;
 }
 
-// Returns the names of the options with different values in the methods of a solver, e.g. the
+// Returns the names of the options that differ between the methods of a solver, e.g. the
 // formulation and the order of closures.
 std::set<std::string> distinguishing_options(const methods::Solver& solver) {
   std::set<std::string> distinguishing;
@@ -72,7 +72,7 @@ std::set<std::string> distinguishing_options(const methods::Solver& solver) {
   return distinguishing;
 }
 
-// Returns the command that solves the case by a method, with all options that differ from their
+// Returns the command that solves a case by a method, with all options that differ from their
 // defaults.
 std::string method_command(const std::string& id, const std::string& words,
                            const methods::SolverRegistry& registry) {

@@ -20,7 +20,7 @@ po::options_description add_output_options(const po::options_description& comman
   constexpr unsigned kWidth = 96;
   po::options_description all("options", kWidth);
   // The options of a command are added one by one, since Boost would print a nested group after all
-  // other options and in another width.
+  // other options and in another text width.
   for (const auto& option : command_options.options()) all.add(option);
   all.add_options()  //
       ("out", make_optional_option(common.out, "DIR"), out_help)(
@@ -71,7 +71,7 @@ std::vector<problem::Problem> load_cases(const CommonCommandArguments& common) {
   for (const auto& name : common.cases) {
     problems.push_back(problem::load_case(
         name, common.overrides, problem::CaseNamingRule::with_overrides, common.time_section));
-    // Two cases with different names may have equal file names.
+    // Two cases with different names may have equal names of result files.
     if (std::ranges::count(common.cases, name) > 1) {
       throw InputError(
           fmt::format("{} is named twice; name it once", base::to_printable_text(name)));

@@ -25,8 +25,8 @@ struct CommonCommandArguments {
   report::FigureOptions figures = {};
 };
 
-/// Returns a Boost command-line option without a default value. Parsing stores the value of the
-/// option in `destination`.
+/// Returns a Boost command-line option without a default value. Parsing stores the value of a
+/// command-line option in `destination`.
 template <class T>
 boost::program_options::typed_value<T>* make_optional_option(std::optional<T>& destination,
                                                              const char* placeholder) {
@@ -50,8 +50,8 @@ bool parse_arguments(const std::vector<std::string>& arguments, const std::strin
                      const boost::program_options::options_description& options,
                      std::vector<std::string>& positional);
 
-/// Parses the arguments of a command with cases: its own options, and the common options --set,
-/// --out, --quiet, --json and --help.
+/// Parses the arguments of a command with cases: the options of the command, and the common options
+/// --set, --out, --quiet, --json and --help.
 /// @return false if the help was printed because of --help
 /// @throws InputError with a message of one line
 bool parse_case_arguments(
@@ -76,15 +76,15 @@ std::vector<std::string> parse_comma_separated_list(const std::string& option,
 /// @throws InputError for an empty list or an item that is not an integer
 std::vector<int> parse_integers(const std::string& option, const std::string& list);
 
-/// Makes an option for each parameter in `description` that has a flag. Parsing replaces elements
-/// of `values` by the values on the command line.
+/// Makes a command-line option for each parameter in `description` that has a flag. Parsing
+/// replaces elements of `values` by the values on the command line.
 /// @param values values of all parameters, in any order; the options keep a reference to `values`
 /// @throws InputError during parsing, with the flag, the refused text and the allowed values
 boost::program_options::options_description make_command_line_options(
     const base::OptionsDescriptionBase& description, base::Values& values);
 
-/// Makes options without default values for the parameters in `names`. Parsing stores the options
-/// that occur on the command line in `given`.
+/// Makes command-line options without default values for the parameters in `names`. Parsing stores
+/// the options that occur on the command line in `given`.
 boost::program_options::options_description make_command_line_options(
     const base::OptionsDescriptionBase& description, const std::vector<std::string>& names,
     base::Values& given);

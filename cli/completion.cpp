@@ -30,7 +30,8 @@ Words method_names(const methods::SolverRegistry& registry) {
   return names;
 }
 
-// Returns the keys of case files, with the named constants of the case among the words.
+// Returns the keys of case files as completion candidates, including the named constants of the
+// case on the command line.
 Words case_key_candidates(const Words& words) {
   Words keys;
   for (const auto* section : problem::case_section_descriptions()) {
@@ -48,14 +49,14 @@ Words case_key_candidates(const Words& words) {
         keys.push_back("parameters." + name + '=');
       }
     } catch (const InputError&) {
-      // An unfinished case file has no constants yet.
+      // An unfinished case file has no named constants yet.
     }
   }
   return keys;
 }
 
-// Returns the allowed values of a command-line option. For a command that is no solver, the option
-// values of all solvers are returned.
+// Returns the allowed values of a command-line option. For a command such as `run`, which is no
+// solver, the option values of all solvers are returned.
 Words option_choices(const std::string& flag, const std::string& command,
                      const methods::SolverRegistry& registry) {
   Words choices;
@@ -92,7 +93,7 @@ Words option_values(const OptionHelp& option, const Words& words, const CommandH
 }
 
 // Returns completion candidates for the positional arguments, which the first line of the help of a
-// command states.
+// command names.
 Words positional_candidates(const CommandHelp& command) {
   const auto first_line = command.help.usage.substr(0, command.help.usage.find('\n'));
   const auto takes = [&](const char* what) { return first_line.find(what) != std::string::npos; };
@@ -120,7 +121,7 @@ const CommandHelp* find_command(const std::vector<CommandHelp>& commands, const 
   return found == commands.end() ? nullptr : &*found;
 }
 
-// Returns the words after the text `before` in command names, e.g. "grid" after "study ".
+// Returns the words after the text `before` in the names of commands, e.g. "grid" after "study ".
 Words words_after_prefix(const std::vector<CommandHelp>& commands, const std::string& before) {
   Words names;
   for (const auto& command : commands) {

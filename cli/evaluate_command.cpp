@@ -67,7 +67,7 @@ std::vector<PhasePoint> load_points(const std::string& name) {
   return read_points(in, name);
 }
 
-// Returns a regular grid of points over the bounding box of the support of the density.
+// Returns a regular grid of points over the bounding box of the support of a density.
 std::vector<PhasePoint> make_grid_points(const transform::SmoothDensity& density,
                                          const std::string& file) {
   if (!std::isfinite(density.y_max) || !std::isfinite(density.v_max)) {

@@ -24,15 +24,15 @@ std::size_t indentation(const std::string& line) {
   return std::min(line.find_first_not_of(' '), line.size());
 }
 
-// Returns the column in which the second part of a help line " name text" begins. For a line
-// without a gap of two blanks the result is 0.
+// Returns the column in which the second part (the explanation) of a help line " name text" begins.
+// For a help line without a gap of two blanks the column of the explanation is 0.
 std::size_t text_column(const std::string& line) {
   const auto gap = line.find("  ", indentation(line));
   return gap == std::string::npos ? 0 : std::min(line.find_first_not_of(' ', gap), line.size());
 }
 
-// Usage texts are wrapped at about 96 columns. A line break is intended if the first word of the
-// next line would fit into the line before.
+// Usage texts are wrapped at about 96 columns. A line break in a usage text is intended if the
+// first word of the next line would fit into the line before.
 bool keeps_line_break(const std::string& line, const std::string& next) {
   constexpr std::size_t kFilledWidth = 84;
   const auto begin = indentation(next);
@@ -40,7 +40,7 @@ bool keeps_line_break(const std::string& line, const std::string& next) {
   return line.size() + 1 + word <= kFilledWidth;
 }
 
-// Wraps a long example command by backslashes, as shells accept, and moves the remark after the
+// Wraps a long example command by backslashes, which shells accept, and moves the remark after the
 // command to a separate line.
 std::string wrap_example(const std::string& line, std::size_t remark, std::size_t width) {
   constexpr std::size_t kIndent = 6;
@@ -98,7 +98,7 @@ OptionHelp option_help(const po::option_description& option) {
   OptionHelp help{.name = option.canonical_display_name(allow_long),
                   .short_name = option.canonical_display_name(allow_dash_for_short),
                   .text = option.description()};
-  // For an option without a short name Boost returns the long name.
+  // For an option without a short name, Boost returns the long name instead of the short name.
   if (help.short_name.size() != 2 || help.short_name[0] != '-') help.short_name.clear();
   const std::string parameter = option.format_parameter();
   const auto default_begin = parameter.find(" (=");

@@ -30,18 +30,19 @@ struct CommandHelp {
 };
 
 /// Wraps a usage text to lines of `width` characters. Aligned lists, and text blocks that fit into
-/// the width, are not wrapped again. A word longer than the line width is not broken.
+/// the line width, are not wrapped again. A word longer than the line width is not broken.
 std::string wrap_usage(const std::string& usage, std::size_t width);
 
 /// Returns the help of a command as text: the usage, then the options in two columns.
 std::string help_text(const CommandHelpText& help, std::size_t width);
 
 /// Prints the help of a command in the width of the terminal, or in 80 columns if the output is not
-/// a terminal. During a call of capture_help(), the help is stored and not printed.
+/// a terminal. During a call of capture_help(), the help of a command is stored and not printed.
 void print_or_capture_help(const std::string& usage,
                            const boost::program_options::options_description& options);
 
-/// Returns the help that `call` would print, where `call` calls a command with the argument --help.
+/// Returns, without printing, the help of a command.
+/// @param call function that calls the command with the argument --help
 CommandHelpText capture_help(const std::function<void()>& call);
 
 /// Returns the man page fpkcheck(1) of all commands in troff, with the macros of man(7).

@@ -34,7 +34,7 @@ void refuse_control_variates(const base::Values& values) {
   throw InputError("--controlled with mpirun: control variates need a single process; omit one");
 }
 
-// Simulates the streams of an MPI rank other than the first rank.
+// Simulates the streams of an MPI rank other than the first rank of a simulation.
 int simulate_streams_of_rank(const CommonCommandArguments& common,
                              const methods::Method& simulation) {
   for (const auto& problem : load_cases(common)) {

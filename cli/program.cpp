@@ -167,7 +167,7 @@ int call_named_command(const Arguments& arguments, const methods::SolverRegistry
     fmt::print("{}", version_text());
     return kSuccess;
   }
-  // The completion script and the build use the following undocumented options.
+  // The undocumented options of the program are for the completion script and the build.
   if (name == "--complete") {
     const Arguments words{arguments.begin() + 1, arguments.end()};
     for (const auto& word :

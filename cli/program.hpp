@@ -18,8 +18,8 @@ enum ExitCode {
 /// Returns the exit code of the program after a signal, by the convention of shells.
 constexpr int signal_exit_code(int signal) { return 128 + signal; }
 
-/// Runs the command that the arguments name. The results of a command are written to standard
-/// output, and messages and progress to standard error.
+/// Runs the fpkcheck command that the command-line arguments name. The results of a command are
+/// written to standard output, and messages and progress to standard error.
 /// @param arguments command-line arguments without the name of the program
 /// @return an ExitCode
 int run_program(const std::vector<std::string>& arguments);
@@ -41,7 +41,7 @@ int bounds_command(const CommandInvocation& call);
 int reference_command(const CommandInvocation& call);
 int study_command(const CommandInvocation& call);
 int passage_command(const CommandInvocation& call);
-/// Returns whether the arguments of the command `run` contain --until.
+/// Returns whether the arguments of the command `run` contain the option --until.
 bool requests_density_over_time(const CommandInvocation& call);
 /// Runs the command `run --until T`, which computes densities over time.
 /// @return an ExitCode
@@ -54,7 +54,7 @@ int check_command(const CommandInvocation& call);
 int report_command(const CommandInvocation& call);
 int evaluate_command(const CommandInvocation& call);
 
-/// Runs the command of one solver, which solves the cases by this solver alone.
+/// Runs the command of one solver, such as `fd`, which solves the cases by this solver alone.
 int solver_command(const CommandInvocation& call, const methods::Solver& solver);
 int fd_command(const CommandInvocation& call, const methods::Solver& solver);
 int mcs_command(const CommandInvocation& call, const methods::Solver& solver);

@@ -11,8 +11,8 @@
 
 namespace fpkcheck::cli {
 
-/// Arguments and output of a command that solves one case. The output is a table or JSON on
-/// standard output, and with --out JSON, CSV and a figure as files.
+/// Arguments and output of a command of fpkcheck that solves one case. The output of the command is
+/// a table or JSON on standard output, and with --out JSON, CSV and a figure as files.
 class OneCaseReportCommand {
  public:
   explicit OneCaseReportCommand(const CommandInvocation& call) : call_(call) {}
@@ -20,7 +20,7 @@ class OneCaseReportCommand {
   CommonCommandArguments common;
 
   /// Parses the arguments of the command into `common` and into the variables of the options.
-  /// @param own options of the command, without the common options
+  /// @param own options of the command in addition to the common options
   /// @return false if the help was printed because of --help
   bool parse_command_arguments(const char* usage,
                                const boost::program_options::options_description& own,
@@ -28,8 +28,8 @@ class OneCaseReportCommand {
     return parse_case_arguments(call_.arguments, usage, own, common, out_help);
   }
 
-  /// Computes the result of one case and prints the table or the JSON. With the option --out the
-  /// files of the result are written.
+  /// Computes the result of one case and prints a table or JSON. With the option --out the files of
+  /// the result are written.
   /// @param run function that returns the result for a problem and a progress listener
   /// @throws InputError unless there is exactly one case
   template <class Run>

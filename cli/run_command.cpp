@@ -95,8 +95,8 @@ int run_command(const CommandInvocation& call) {
       throw InputError(fmt::format(
           "--against with {} cases: a density belongs to one case; name it", common.cases.size()));
     }
-    // External densities come first in the order of increasing trust, because their accuracy is
-    // unknown.
+    // External densities come first among methods in the order of increasing trust, because their
+    // accuracy is unknown.
     auto from_files = methods::external_density_methods_from_files(against, call.registry,
                                                                    load_cases(common).front().name);
     methods.insert(methods.begin(), std::make_move_iterator(from_files.begin()),

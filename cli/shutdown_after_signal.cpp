@@ -29,8 +29,8 @@ std::atomic<InterruptionPolicy> current_policy = InterruptionPolicy::abort;
 extern "C" void handle_stop_signal(int signal) {
   const int error = errno;
   if (base::stop_requested()) {
-    // After handle_stop_signal() returns, which blocks the signal, the default action of the signal
-    // handles a second signal.
+    // When handle_stop_signal() returns and unblocks the signal, the default action of the signal
+    // handles a second stop signal.
     std::signal(signal, SIG_DFL);
     std::raise(signal);
   } else {
@@ -42,10 +42,11 @@ extern "C" void handle_stop_signal(int signal) {
 
 using namespace std::chrono_literals;
 
-// Times between a stop signal and the shutdown by the watchdog thread. After kAbortDelay, 700 ms of
-// one second remain for the shutdown hooks, even on busy processors. The longer kFinishDelay allows
-// a simulation to complete its current round and to return its result. On a few processors one
-// round of a simulation, 2e7 events, takes longer than a second.
+// Times between a stop signal and the shutdown by the watchdog thread. After the delay kAbortDelay
+// of 300 ms, 700 ms of one second remain for the shutdown hooks, even on busy processors. The
+// longer delay kFinishDelay allows a simulation to complete its current round and to return its
+// result. On a computer with few processors one round of a simulation, 2e7 events, takes longer
+// than a second.
 constexpr auto kAbortDelay = 300ms;
 constexpr auto kFinishDelay = 4000ms;
 
@@ -79,7 +80,7 @@ void write_line_without_stdio(const std::string& line) {
   [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
 }
 
-// Ends the process after a stop signal, unless the command has claimed the shutdown.
+// Ends the process after a stop signal, unless the running command has claimed the shutdown.
 void shut_down_process() {
   if (shutdown_claimed) return;
   base::wait_for_exit_blockers();
@@ -122,7 +123,7 @@ SignalHandlerGuard::SignalHandlerGuard() {
     if (saved_action.sa_handler != SIG_DFL) continue;
     struct sigaction action = {};
     action.sa_handler = handle_stop_signal;
-    // SA_RESTART restarts interrupted system calls, e.g. reads from gnuplot.
+    // The flag SA_RESTART restarts interrupted system calls, e.g. reads from gnuplot.
     action.sa_flags = SA_RESTART;
     if (sigaction(signal, &action, nullptr) == 0) saved_actions_.push_back({signal, saved_action});
   }

@@ -11,16 +11,15 @@
 #include "results/output_directory.hpp"
 
 /// Shutdown of the program after SIGINT or SIGTERM within a second, or within five seconds if a
-/// simulation returns its partial result.
-///
-/// Long operations such as a matrix factorisation, a time step of CVODE or a least-squares fit
-/// cannot be interrupted. The numerical solvers contain no code for the shutdown. After a signal, a
-/// command usually ends by itself, between two solutions or after a round of the simulation. If the
-/// command does not end soon enough, the thread of the ShutdownWatchdog ends the process. The
-/// watchdog thread waits for file writes in progress (base/process/stop_request.hpp). Then the
-/// watchdog thread runs the registered actions (ShutdownHook) and ends the process without stack
-/// unwinding. ProcessExitBlocker, ShutdownHook and OutputDirectory leave the files on disk in a
-/// consistent state.
+/// simulation returns its partial result. Long operations such as a matrix factorisation, a time
+/// step of CVODE or a least-squares fit cannot be interrupted. The numerical solvers contain no
+/// code for the shutdown after a signal. After a stop signal, a command usually ends by itself,
+/// between two solutions or after a round of the simulation. If a command does not end soon enough
+/// after a stop signal, the thread of the ShutdownWatchdog ends the process. The watchdog thread
+/// first waits for file writes in progress (base/process/stop_request.hpp). Before the watchdog
+/// thread ends the process without stack unwinding, the thread runs the registered actions
+/// (ShutdownHook). ProcessExitBlocker, ShutdownHook and OutputDirectory leave the files on disk in
+/// a consistent state.
 namespace fpkcheck::cli {
 
 /// Exception after SIGINT (Ctrl-C) or SIGTERM. exit_message() returns the message for the user.
@@ -35,7 +34,7 @@ enum class InterruptionPolicy {
 
 /// Guard that installs signal handlers for the lifetime of the guard. The first SIGINT or SIGTERM
 /// sets the stop request (base/process/stop_request.hpp), and a second signal ends the program at
-/// once. Signals that the process already ignores (nohup) remain ignored.
+/// once. Signals that the process ignored before (nohup) remain ignored.
 class SignalHandlerGuard {
  public:
   SignalHandlerGuard();
@@ -56,13 +55,13 @@ void set_interruption_policy(InterruptionPolicy policy);
 InterruptionPolicy interruption_policy();
 
 /// Throws the exception InterruptedBySignal after a stop signal. Progress functions of long
-/// computations call this function.
+/// computations call throw_if_interrupted().
 /// @throws InterruptedBySignal after SIGINT or SIGTERM, unless the policy is finish_early
 void throw_if_interrupted();
 
-/// Registers an action before a forced end of the process, for the lifetime of the ShutdownHook.
-/// Before the ShutdownWatchdog ends the process, the watchdog runs the registered actions in
-/// reverse order.
+/// Registers, for the lifetime of the ShutdownHook, an action that runs before a forced end of the
+/// process. Before the ShutdownWatchdog ends the process, the watchdog runs the registered actions
+/// in reverse order.
 class ShutdownHook {
  public:
   explicit ShutdownHook(std::function<void()> action);
@@ -76,7 +75,7 @@ class ShutdownHook {
 
 /// Output directory of the option --out, prepared by results::prepare_output_directory(). The
 /// destructor or the ShutdownWatchdog removes the empty directories that an OutputDirectory
-/// created. Without --out an OutputDirectory has no effect.
+/// created. Without the option --out an OutputDirectory has no effect.
 class OutputDirectory {
  public:
   explicit OutputDirectory(const std::optional<std::string>& out);

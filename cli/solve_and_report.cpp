@@ -85,7 +85,8 @@ class FinishedCaseResults {
   std::vector<results::CaseResult> cases_;
 };
 
-// Returns a text on the cause of a stop of the program and on the missing results.
+// Returns a text on the cause of a stop of the program and on the results that are missing after
+// the stop.
 std::string interruption_text(const std::vector<results::CaseResult>& cases,
                               const std::vector<problem::Problem>& problems, bool with_backward) {
   std::vector<std::string> missing, unbounded;
@@ -152,7 +153,8 @@ int solve_and_report(const CommonCommandArguments& common,
          .with_backward = options.with_backward,
          .progress =
              [&](const methods::RunProgress& at) {
-               // If its completed fraction is 0, the running method has no partial result to keep.
+               // If its completed fraction is 0, the running method has no partial result that
+               // could be kept.
                set_interruption_policy(at.fraction > 0 ? options.interruption_policy
                                                        : InterruptionPolicy::abort);
                progress.show_progress(at);

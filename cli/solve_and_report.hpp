@@ -23,15 +23,16 @@ enum class SolutionsRequiredForSuccess {
 struct RunSupplement {
   report::ReportSupplement report;
   std::string json;  ///< JSON text that the command prints instead of the summary
-  /// Reasons for a nonzero exit code of the command, each in one line.
+  /// Reasons for a nonzero exit code of a command, each in one line.
   std::vector<std::string> failures;
 };
 
 struct SolveAndReportOptions {
   SolutionsRequiredForSuccess required = SolutionsRequiredForSuccess::all;
-  /// Ids of the solutions that the user requested by id. Only solutions that were requested by
-  /// family or solver may have the status `not_offered` without a failure of the command. If all
-  /// solutions were requested by id, the list `requested_ids` is empty.
+  /// Ids of those solutions that the user requested by id instead of family or solver. Only
+  /// solutions that were requested by family or solver may have the status `not_offered` without a
+  /// failure of the command. If all solutions were requested by id, the list `requested_ids` is
+  /// empty.
   std::vector<std::string> requested_ids = {};
   int threads = 0;  ///< number of threads for methods in parallel; 0 for one thread per processor
   InterruptionPolicy interruption_policy = InterruptionPolicy::abort;
@@ -40,8 +41,8 @@ struct SolveAndReportOptions {
   std::function<RunSupplement(const results::Run&)> supplement = {};
 };
 
-/// Solves the cases by the methods and prints the table or the JSON. With --out, the report is
-/// written to a directory, which is prepared before the first solve.
+/// Solves all cases by all given methods and prints the results as a table or JSON. With the option
+/// --out, the report is written to a directory, which is prepared before the first solve.
 /// @return an ExitCode
 int solve_and_report(const CommonCommandArguments& common,
                      const std::vector<methods::Method>& methods,

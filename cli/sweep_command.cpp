@@ -119,7 +119,8 @@ sweep::SweepAxis parse_varied_key(const std::string& text) {
   return sweep::parse_sweep_axis(text.substr(0, equals), text.substr(equals + 1), "--vary");
 }
 
-// Adds the method options of the plan to `given`, unless the command line sets the same options.
+// Adds the method options in the plan file of a sweep to `given`, unless the command line sets the
+// same options.
 void add_plan_options(const std::vector<base::IniSetting>& lines,
                       const methods::SolverRegistry& registry, base::Values& given) {
   std::vector<std::string> known{"case", "methods", "design", "points", "closure_errors"};
@@ -144,7 +145,7 @@ void add_plan_options(const std::vector<base::IniSetting>& lines,
   }
 }
 
-// Options on the command line take precedence over the plan file.
+// Options of `fpkcheck sweep` on the command line take precedence over the plan file.
 sweep::SweepPlan make_sweep_plan(const SweepArguments& arguments,
                                  const methods::SolverRegistry& registry) {
   if (arguments.common.cases.size() != 1) {
@@ -221,7 +222,8 @@ int merge_shards(const SweepArguments& arguments, const CommandInvocation& call,
   return merged.results.is_complete() ? kSuccess : kFailure;
 }
 
-// The forecast uses the times of the points in the journal of an earlier sweep of this plan.
+// The forecast of solve times uses the times of points in the journal of an earlier sweep with the
+// same plan.
 std::vector<sweep::SweepPointResult> load_solved_points(const sweep::SweepPlan& plan,
                                                         const std::filesystem::path& journal) {
   std::error_code ignored;

@@ -19,8 +19,8 @@ namespace fpkcheck::cli {
 
 void prepare_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // The system call open() returns the lowest free file descriptor, which is `stream`, since all
-    // smaller descriptors are open.
+    // The system call open() returns the lowest free file descriptor, which equals `stream`, since
+    // all smaller descriptors are open.
     if (fcntl(stream, F_GETFD) == -1 && open("/dev/null", O_RDWR) != stream) std::abort();
   }
   std::signal(SIGPIPE, SIG_IGN);
@@ -38,7 +38,7 @@ void print_message(std::string_view message) {
 
 namespace {
 
-// Returns the width of the terminal; empty if the stream is no terminal or the width is unknown.
+// Returns the width of the terminal; empty if the stream is no terminal or if the width is unknown.
 std::optional<std::size_t> terminal_width(int stream) {
   winsize size{};
   if (ioctl(stream, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::nullopt;
@@ -80,7 +80,7 @@ void ProgressLine::show_progress(const methods::RunProgress& progress) {
   const auto now = std::chrono::steady_clock::now();
   const auto began = began_.try_emplace({progress.case_name, progress.method}, now).first->second;
   const std::chrono::duration<double> elapsed = now - begin_, method_elapsed = now - began;
-  // A line wider than the terminal would be wrapped, and a wrapped line cannot be erased.
+  // A progress line wider than the terminal would be wrapped, and a wrapped line cannot be erased.
   fmt::print(stderr, "\r\033[K{}",
              progress_text(progress, elapsed.count(), method_elapsed.count())
                  .substr(0, terminal_width(STDERR_FILENO).value_or(80) - 1));

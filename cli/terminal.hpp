@@ -13,25 +13,24 @@ namespace fpkcheck::cli {
 
 /// Connects closed standard streams to /dev/null, since otherwise the next opened file would
 /// receive the output of a closed stream. SIGPIPE is ignored, so that a closed pipe (`fpkcheck run
-/// | head -1`) does not end the program before all files are written. This preparation of the
-/// streams must precede the opening of any file.
+/// | head -1`) does not end the program before all files are written. The function
+/// prepare_standard_streams() must be called before any file is opened.
 void prepare_standard_streams();
 
-/// Writes a text to standard output. A write error does not stop the program; run_program() finally
-/// reports the error.
+/// Writes a text to standard output. A write error of print_output() does not stop the program;
+/// run_program() finally reports the error.
 void print_output(std::string_view text);
 
-/// Writes the program's name and the message in one line to standard error, and ignores write
-/// errors.
+/// Writes the program's name and a message in one line to standard error, and ignores write errors.
 void print_message(std::string_view message);
 
-/// Returns the text format of standard output. The width of the text is the width of the terminal,
-/// limited to 80 .. 100 columns, or 100 columns without a terminal. Colours are used on a terminal,
-/// unless NO_COLOR is set and not empty, or TERM is "dumb".
+/// Returns the text format (width and colours) of standard output. The width of terminal texts is
+/// the width of the terminal, limited to 80 .. 100 columns, or 100 columns without a terminal.
+/// Colours are used on a terminal, unless NO_COLOR is set and not empty, or TERM is "dumb".
 report::TerminalTextFormat terminal_format();
 
 /// Returns the progress of a run as text: completed solutions, elapsed time, and the running method
-/// with its completed fraction. Above a completed fraction of 2 %, the progress text has the
+/// with its completed fraction. Above a completed fraction of 2 %, the progress text includes the
 /// estimated remaining time.
 /// @param seconds time since the start of the run
 /// @param method_seconds time since the start of the running method on its case
