@@ -36,7 +36,7 @@ boost::program_options::typed_value<T>* make_optional_option(std::optional<T>& d
 }
 
 /// Adds the output options --out, --quiet, --json and --help to the options of a command with fixed
-/// cases.
+/// cases, such as `paper`.
 boost::program_options::options_description add_output_options(
     const boost::program_options::options_description& command_options,
     CommonCommandArguments& common, const char* out_help);

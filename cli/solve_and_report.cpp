@@ -153,8 +153,8 @@ int solve_and_report(const CommonCommandArguments& common,
          .with_backward = options.with_backward,
          .progress =
              [&](const methods::RunProgress& at) {
-               // If its completed fraction is 0, the running method has no partial result that
-               // could be kept.
+               // A running method with the completed fraction 0 has no partial result that could be
+               // kept.
                set_interruption_policy(at.fraction > 0 ? options.interruption_policy
                                                        : InterruptionPolicy::abort);
                progress.show_progress(at);

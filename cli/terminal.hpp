@@ -50,8 +50,8 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// @throws InterruptedBySignal after a stop signal (throw_if_interrupted()), even if nothing is
-  /// printed
+  /// @throws InterruptedBySignal after a stop signal (throw_if_interrupted()), even if no progress
+  ///         line is printed
   void show_progress(const methods::RunProgress& progress);
   /// Erases the progress line; must be called before results are printed.
   void erase_line();

@@ -144,7 +144,7 @@ void add_residual_based_errors(const CaseResult& case_result, Sentences& sentenc
   const auto digits = [&](double value) {
     constexpr int kDefaultDigits = 7, kMaxDigits = 10;
     if (!(largest_gap > 0)) return kDefaultDigits;
-    // The number of confirmed digits may be infinite before the clamp.
+    // The number of confirmed digits may be infinite before an upper limit is applied.
     const double confirmed_digits = 1 + std::trunc(std::log10(std::abs(value) / largest_gap));
     return confirmed_digits > 2 ? static_cast<int>(std::min<double>(confirmed_digits, kMaxDigits))
                                 : 2;

@@ -25,8 +25,8 @@ const DensityCurve* reference_curve_over_smooth_bins(const CaseResult& case_resu
   return is_complete(curve->lower) && is_complete(curve->upper) ? curve : nullptr;
 }
 
-// Returns the id of the reference solution of a case. The id is empty if the case has no reference
-// solution, or if the reference solution lacks the curve of a marginal density.
+// Returns the id of the reference solution of a case. The returned id is empty if the case has no
+// reference solution, or if the reference solution lacks the curve of a marginal density.
 std::string reference_id(const CaseResult& case_result) {
   const auto* reference = case_result.reference_solution();
   if (reference == nullptr) return "";

@@ -55,7 +55,7 @@ std::string gnuplot_string_expression(const std::string& enhanced);
 /// in all figure formats.
 std::string literal_gnuplot_expression(const std::string& text);
 
-/// Returns the symbol of a variable in plain text, "y" or "y′".
+/// Returns the symbol of a state variable in plain text, "y" or "y′".
 std::string variable_in_plain_text(transform::StateVariable variable);
 std::string density_in_plain_text(transform::StateVariable variable);
 

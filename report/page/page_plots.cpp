@@ -195,7 +195,7 @@ class PlotlyTraces {
   }
 
   Json traces_ = Json::array(), arrays_ = Json::object();
-  // Names of arrays, by the base64 text of their numbers.
+  // Names of arrays of numbers, with the base64 text of the numbers as key.
   std::map<std::string, std::string> names_;
   std::set<std::string> listed_;  // names of series that already have a legend entry
 };

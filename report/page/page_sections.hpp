@@ -31,7 +31,7 @@ std::string varying_parameters_text(const results::Run& run,
 /// occur in a run.
 std::string glossary_html(const results::Run& run);
 
-/// Returns the table of the wall-clock times of each solution in each case, in seconds.
+/// Returns the HTML table of the wall-clock times of each solution in each case, in seconds.
 std::string timings_table_html(const results::Run& run);
 
 /// Returns the description of problems in words, and their equation of motion. The equation of
@@ -85,8 +85,8 @@ std::string diagnostics_tables_html(const results::CaseResult& case_result);
 std::string metric_tables_html(const results::CaseResult& case_result);
 
 /// Returns a paragraph that explains the figure and tables of the error budget, and names the
-/// reference of the total distances. The returned paragraph is empty if the case has no error
-/// budget.
+/// reference of the total distances. The introduction to the error budget is empty if the case has
+/// no error budget.
 std::string error_budget_introduction_html(const results::CaseResult& case_result);
 
 /// Returns HTML tables of the L1 distances and the tail distances in the error budget.

@@ -43,7 +43,7 @@ char agreement_symbol(const SolutionAgreementInCase& entry);
 std::vector<std::string> agreement_symbol_meanings(
     const std::vector<SolutionAgreementOverCases>& agreement_rows);
 
-/// One line of the verdict: the outcome of a method, or of one order of a closure.
+/// One line of the verdict on a run: the outcome of a method, or of one order of a closure.
 struct MethodVerdictLine {
   std::string subject;  ///< id or family, such as "epc-gaussian-n6" or "epc-polar"
   bool reproduced;      ///< whether the method reproduces the reference in each of its cases

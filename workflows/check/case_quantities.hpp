@@ -45,9 +45,9 @@ CheckedQuantities distance_quantities(const results::CaseResult& case_result,
                                       const results::CaseResult& case_in_other_run,
                                       const BaselineCheckTolerances& tolerances);
 
-/// Returns the parts of the error budget of every closure. If the simulations of two compared runs
-/// differ by sampling, the tolerances of distances from the simulation follow from the sampling
-/// error.
+/// Returns the parts of the error budget of every closure as compared quantities. If the
+/// simulations of two compared runs differ by sampling, the tolerances of distances from the
+/// simulation follow from the sampling error.
 CheckedQuantities budget_quantities(const results::CaseResult& case_result,
                                     const results::CaseResult& case_in_other_run,
                                     const BaselineCheckTolerances& tolerances);

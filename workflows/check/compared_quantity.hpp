@@ -109,8 +109,8 @@ struct SolutionPartQuantityAppender {
   std::string solution, name;
 
   /// Appends the first quantity of a part of a solution: the presence of the part, or a value that
-  /// identifies the part. Other quantities of the part must be appended after the call of
-  /// begin_part().
+  /// identifies the part. All other quantities of a part of a solution must be appended after the
+  /// call of begin_part().
   const SolutionPartQuantityAppender& begin_part(
       CheckedQuantityKind kind, const base::Value& value = "there",
       const std::string& enclosing_part = kWholeSolutionPart) const;

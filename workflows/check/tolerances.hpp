@@ -10,8 +10,8 @@
 /// errors.
 namespace fpkcheck::check {
 
-/// Tolerances of changes between two runs. The default tolerances follow from the measurements in
-/// docs/checking.md.
+/// Tolerances of changes between two runs. The default tolerances of `fpkcheck check` follow from
+/// the measurements in docs/checking.md.
 struct BaselineCheckTolerances {
   /// Tolerance for deterministic quantities: relative for moments, absolute for mass and energy
   /// residual, and as a fraction of the peak for densities. The tolerance of distances between
@@ -61,9 +61,9 @@ void set_tolerance_from_sampling_error(
     transform::StateVariable variable, const BaselineCheckTolerances& tolerances);
 
 /// Returns the tolerance of the change of a power of a standard error between two runs, expressed
-/// as the ratio minus 1. A standard error from n streams has the relative standard deviation 1 /
-/// sqrt(2 (n - 1)). The ratio of two standard errors from n streams has the relative standard
-/// deviation 1 / sqrt(n - 1).
+/// as the ratio minus 1. A standard error from n independent streams of a simulation has the
+/// relative standard deviation 1 / sqrt(2 (n - 1)). The ratio of two standard errors, each from n
+/// independent streams, has the relative standard deviation 1 / sqrt(n - 1).
 /// @param number_of_errors number of compared standard errors; the tolerance applies to the largest
 ///        of their changes
 double standard_error_change_tolerance(const transform::Solution& simulation,

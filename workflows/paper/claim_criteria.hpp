@@ -5,8 +5,8 @@
 namespace fpkcheck::paper {
 
 /// Largest L1 distance at which two densities agree, equal to the default accuracy of closures
-/// (`--accuracy`). With an L1 distance of 0.02 the probabilities of any event differ by at most
-/// 0.01.
+/// (`--accuracy`). With an L1 distance of 0.02 between two densities the probabilities of any event
+/// differ by at most 0.01.
 inline constexpr double kMaxL1OfClaimedAgreement = 0.02;
 
 /// Largest tail distance, the mean |log10 p - log10 MCS|, at which two tails agree: 0.2 decades, a

@@ -8,9 +8,9 @@
 #include "transform/marginal_density.hpp"
 
 /// Claims of the paper *Stochastic response of a vibro-impact Duffing system under external Poisson
-/// impulses*, whose method this project checks. The claims of the paper concern the four cases in
-/// its sections 3 and 4. The paper's EPC (n = 2), (n = 4), (n = 6) are the closures
-/// epc-gaussian-n2, -n4, -n6. The paper's MCS is a Monte Carlo simulation.
+/// impulses*, whose method this project checks. The claims concern the four cases in sections 3 and
+/// 4 of the paper. The paper's EPC (n = 2), (n = 4), (n = 6) are the closures epc-gaussian-n2, -n4,
+/// -n6. The paper's MCS is a Monte Carlo simulation.
 namespace fpkcheck::paper {
 
 /// Relation between a closure and the Monte Carlo simulation that a claim of the paper states.
@@ -26,7 +26,8 @@ enum class PaperClaimRelation {
   is_linearisation,        ///< L1 to the Gaussian of equivalent linearisation is 0 up to rounding
   not_found                ///< plain Newton steps from equivalent linearisation find no root
 };
-/// Name of each claimed relation in files, and the text of a claim with this relation.
+/// Name in files of each relation between a closure and the simulation, and the text of a claim
+/// with this relation.
 inline constexpr base::EnumEntry<PaperClaimRelation> kRelationNames[] = {
     {PaperClaimRelation::agrees, "agrees", "n={n} agrees with MCS in {p}"},
     {PaperClaimRelation::agrees_in_tail, "agrees_in_tail", "n={n} agrees in the tail of {p}"},

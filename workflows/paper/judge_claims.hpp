@@ -49,8 +49,8 @@ struct PaperClaimJudgement {
   /// with an MCS density of 1e-5 .. 1e-3. The tail distance is infinite if the closure density is 0
   /// in a bin of the tail.
   PaperClaimMeasurement tail{};
-  /// Status of the closure in the first case in which this status is not `ok`; `ok` if no such case
-  /// exists.
+  /// Status of the closure in the first case of the claim with a status other than `ok`, or `ok` if
+  /// no such case exists.
   std::optional<transform::Status> status{};
   std::string reason{};  ///< reason for a status of the closure other than `ok`
   PaperClaimOutcome outcome = PaperClaimOutcome::unjudged;

@@ -30,7 +30,7 @@ StudyRecord make_study_record(const ClosureOrderStudyRow& row) {
   record.push_back({"tail_y", transform::value_from_optional(row.tail_y)});
   record.push_back({"tail_ydot", transform::value_from_optional(row.tail_ydot)});
   for (const auto& observation : row.solution.metrics) {
-    // The record of a closure already contains the values formulation and order.
+    // The study record of a closure already contains the values formulation and order.
     if (observation.path == "formulation" || observation.path == "order") continue;
     record.push_back({observation.path, observation.value});
   }

@@ -65,8 +65,8 @@ struct ClosureOrderStudy {
 };
 
 /// Solves a problem by the given closures and by the reference, the most trusted discretisation of
-/// the full problem. The methods run one after another, since parallel runs would distort the
-/// wall-clock times.
+/// the full problem. The methods of an order study run one after another, since parallel runs would
+/// distort the wall-clock times.
 /// @throws InputError for an unknown formulation or order
 ClosureOrderStudy study_closure_orders(const problem::Problem& problem,
                                        const ClosureOrderStudyOptions& options,

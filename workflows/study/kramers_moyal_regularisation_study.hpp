@@ -41,8 +41,8 @@ KramersMoyalRegularisationStudy add_density_growth_rates(
 /// disturbances at the smallest velocity step.
 bool has_converged(const KramersMoyalRegularisationStudy& study);
 
-/// Files and texts of a regularisation study, from which make_study_report() makes a StudyReport.
-/// If no disturbance grows, the value of the JSON key `growth_rate` is null.
+/// Files and texts of a study of the Kramers-Moyal regularisation, from which make_study_report()
+/// makes a StudyReport. If no disturbance grows, the value of the JSON key `growth_rate` is null.
 std::string study_json_text(const KramersMoyalRegularisationStudy& study,
                             const std::string& command);
 std::string study_csv_text(const KramersMoyalRegularisationStudy& study);

@@ -57,8 +57,8 @@ void require_accurate(double accuracy, const transform::TransientDensities* comp
 /// Returns the reference solution, with which all other solutions are compared. The reference is
 /// the first finite-volume solution with a density at the end time and the status `ok` or
 /// `inaccurate`. Without a suitable finite-volume solution, the reference is the first simulation
-/// with a density at the end time and the status `ok` or `inaccurate`. The result is null if
-/// neither a finite-volume solution nor a simulation is suitable as reference.
+/// with a density at the end time and the status `ok` or `inaccurate`. The returned pointer is null
+/// if neither a finite-volume solution nor a simulation is suitable as reference.
 const transform::TransientDensities* find_reference_solution(const TransientComparison& study);
 
 /// Returns whether at least one finite-volume solution or simulation has the status `ok`, and all

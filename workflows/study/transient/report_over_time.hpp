@@ -10,8 +10,8 @@
 
 namespace fpkcheck::study {
 
-/// A density over time with its problem and options. Files, figures and tables of a density over
-/// time are made from a TransientRun.
+/// A density of a case over time, with the problem and the options of the computation. Files,
+/// figures and tables of a density over time are made from a TransientRun.
 struct TransientRun {
   std::string command;
   problem::Problem problem;

@@ -30,8 +30,7 @@ std::vector<ValidityMapNeighbour> neighbours_by_distance(const ValidityMapCoordi
 }
 
 // Moves the most accurate of those promised methods to the front that take at most 1.5 times as
-// long as the fastest promised method. The factor 1.5 between solve times is the accuracy of
-// wall-clock times.
+// long as the fastest promised method. Wall-clock times are accurate to a factor of 1.5.
 void move_most_accurate_method_first(std::vector<MethodResultsAtNearbyPoints>& methods) {
   constexpr double kSimilarTimeRatio = 1.5;
   if (methods.empty() || !methods.front().promised) return;

@@ -43,7 +43,8 @@ ValidityMapCoordinates validity_map_coordinates(const problem::Problem& problem)
 /// e in the impulses per decay time N or the damping ratio zeta, to 0.1 in the restitution
 /// coefficient r, or to 0.2 in the cubic fraction s. The distance in the validity map is infinite
 /// if the laws or the relative means of the impulse amplitudes differ. The file docs/validity.md
-/// states the effect of N, zeta, r and s on the errors of the methods.
+/// states how impulse rate, damping ratio, restitution coefficient and cubic stiffness affect the
+/// errors of the methods.
 double validity_map_distance(const ValidityMapCoordinates& one,
                              const ValidityMapCoordinates& other);
 
@@ -80,8 +81,8 @@ struct ValidityMap {
 /// mean_share, ID, .. Each following line is a point of the validity map. The table cell under the
 /// id of a method has the L1 distance, the letter of the status, and milliseconds, e.g.
 /// ".0042o310", or "i5.1" without a density. The table cell of a method is empty if the method was
-/// not used at the point. The letters of the statuses are o ok, x ok but error underestimated, i
-/// inaccurate, a inadmissible, n not_converged, p ill_posed, f failed, u not_offered.
+/// not used at the map point. The letters of the statuses are o ok, x ok but error underestimated,
+/// i inaccurate, a inadmissible, n not_converged, p ill_posed, f failed, u not_offered.
 /// @throws InputError with a message of one line
 ValidityMap read_validity_map(std::string_view text);
 

@@ -10,7 +10,7 @@
 namespace fpkcheck::sweep {
 
 /// Writes sweep.csv and sweep.nc in one transaction. The report page of an earlier sweep is
-/// removed, since its numbers may differ from the new files.
+/// removed, since the page may contradict the new files.
 /// @throws std::runtime_error with a message of one line
 void write_sweep_tables(const std::filesystem::path& directory, const SweepResults& results,
                         const std::string& command);
