@@ -38,7 +38,6 @@ void print_message(std::string_view message) {
 
 namespace {
 
-// Returns the width of the terminal; empty if the stream is no terminal or if the width is unknown.
 std::optional<std::size_t> terminal_width(int stream) {
   winsize size{};
   if (ioctl(stream, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return std::nullopt;

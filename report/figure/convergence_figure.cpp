@@ -42,7 +42,6 @@ struct ClosureDistancesByOrder {
   std::vector<ReferenceUncertaintyLine> uncertainty_lines;
 
   double l1(const transform::Solution& solution) const;
-  /// Returns the lowest and the highest closure order n of all families.
   std::pair<int, int> order_range() const;
 };
 

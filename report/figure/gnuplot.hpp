@@ -7,7 +7,6 @@
 
 namespace fpkcheck::report {
 
-/// The outcome of one run of the program gnuplot.
 struct GnuplotOutcome {
   bool found;           ///< whether the program gnuplot was started
   int exit_code;        ///< exit code; -1 if gnuplot was not found or was ended by a signal

@@ -6,7 +6,6 @@
 
 #include "transform/joint_density.hpp"
 
-/// Cells and quantised values of heat maps.
 namespace fpkcheck::report {
 
 /// Smallest fractions of the peak at which a joint density is shown, on logarithmic and on linear

@@ -69,7 +69,6 @@ std::string set_printed_size(std::string svg, double width_mm) {
       fmt::format(" width=\"{:g}mm\" height=\"{:.2f}mm\"", width_mm, width_mm * height / width));
 }
 
-/// Guard object that creates a temporary directory. The destructor removes the directory.
 class TemporaryDirectory {
  public:
   TemporaryDirectory() {

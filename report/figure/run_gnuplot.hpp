@@ -9,7 +9,6 @@
 
 namespace fpkcheck::report {
 
-/// Exception: the program gnuplot was not found.
 struct GnuplotNotFound : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

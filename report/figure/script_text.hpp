@@ -12,7 +12,6 @@ namespace fpkcheck::report {
 struct FigurePanelBox {
   double left, right, top, bottom;
 };
-/// Returns gnuplot commands that set the position of a panel in the picture.
 std::string panel_position_commands(const FigurePanelBox& place);
 
 /// Returns a named data block of a gnuplot script.

@@ -51,7 +51,6 @@ std::vector<ErrorBudgetsOfMarginal> marginal_budgets(const results::CaseResult& 
   return marginals;
 }
 
-/// Function that returns the table cell of a part of the error budget.
 using PartCell = std::function<std::string(const ErrorBudgetPart&)>;
 
 // Returns the table columns of closures, total distances and parts of the error budget.

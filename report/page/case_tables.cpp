@@ -75,7 +75,6 @@ class SolutionsHtmlTable {
   std::vector<HtmlTableColumn> columns_;
 };
 
-// Returns a number from an optional part of a solution; empty if the solution lacks the part.
 template <class Part, class Number>
 std::optional<double> optional_number(const std::optional<Part>& part, const Number& number) {
   if (!part) return std::nullopt;

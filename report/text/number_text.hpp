@@ -6,7 +6,6 @@
 
 #include "base/options/parameter_value.hpp"
 
-/// Texts of numbers in tables and on the report page.
 namespace fpkcheck::report {
 
 /// Text of a missing or non-finite number on the report page.

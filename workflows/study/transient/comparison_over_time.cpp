@@ -400,7 +400,6 @@ std::string study_csv_text(const TransientComparison& study) {
 
 namespace {
 
-// Two values of a solution at one snapshot, such as the moments E[y^2] and E[y'^2].
 using ValuePair = std::array<double, 2>;
 
 /// Returns a table with two columns for each solution, and a row for each shown snapshot. The table

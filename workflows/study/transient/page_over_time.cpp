@@ -32,7 +32,6 @@ using transform::StateVariable;
 using transform::TransientDensities;
 using transform::TransientDensitySnapshot;
 
-// Ids of the HTML elements of the time slider and of the plots.
 constexpr const char* kSliderId = "time";
 constexpr const char* kPlotPrefix = "over-time";
 
@@ -48,7 +47,6 @@ const TransientDensitySnapshot* find_snapshot(const TransientDensities& solution
   return snapshot < solution.snapshots.size() ? &solution.snapshots[snapshot] : nullptr;
 }
 
-// Returns the HTML table of the moments and L1 distances of all solutions at one time.
 std::string snapshot_table_html(const TransientComparison& study,
                                 const TransientDensities& compared_with, std::size_t snapshot) {
   std::vector<report::HtmlTableColumn> columns{{"solution", report::TextAlignment::left}};

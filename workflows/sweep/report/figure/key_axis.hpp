@@ -34,7 +34,6 @@ class SweepParameterAxis {
   /// Returns the index of the map cell that belongs to a value of the key, in a map with cells of
   /// equal width.
   std::size_t map_cell_index(const base::Value& value) const;
-  /// Returns the axis of a varied key in a map with cells of equal width.
   report::FigureAxis figure_axis_of_cells() const;
 
  private:
