@@ -7,18 +7,18 @@
 
 namespace fpkcheck::mcs {
 
-/// Returns in one phrase why the simulation does not support a problem; empty for a supported
-/// problem.
+/// Returns the reason, in one phrase, why Monte Carlo simulation does not support a problem; an
+/// empty text for a supported problem.
 std::string unsupported_reason(const problem::Problem& problem, const SimulationOptions& options);
 
-/// Returns why a simulation does not give spectra, sensitivities and passages of a problem; empty
-/// for a supported problem. In contrast to unsupported_reason(), this function reports every
-/// inelastic collapse as unsupported.
+/// Returns the reason why a simulation cannot estimate spectra, sensitivities and first passages of
+/// a problem; an empty text for a supported problem. Unlike unsupported_reason(),
+/// unsupported_functional_reason() returns a reason for every problem with inelastic collapse.
 std::string unsupported_functional_reason(const problem::Problem& problem,
                                           const SimulationOptions& options);
 
-/// Returns why importance splitting does not resolve the tails of the density; empty if the energy
-/// rises at impulses only.
+/// Returns the reason why importance splitting cannot resolve the tails of the density; an empty
+/// text if the energy of the oscillator rises at impulses only.
 std::string unsupported_splitting_reason(const problem::Problem& problem,
                                          const SimulationOptions& options);
 

@@ -13,18 +13,17 @@
 #include "transform/solution_identity.hpp"
 
 /// Monte Carlo simulation of the impact system, paper (1)-(2), in wall coordinates
-/// (problem/walls.hpp), with other forces, damping, walls and Gaussian noise as extensions. The
-/// Monte Carlo simulation uses no transformation of the variables, no density equation and no code
-/// of other solvers.
+/// (problem/walls.hpp), with forces, damping, walls and Gaussian noise beyond the paper as
+/// extensions. The Monte Carlo simulation uses no transformation of the variables, no density
+/// equation and no code of other solvers.
 namespace fpkcheck::mcs {
 
 using problem::DensityEquation;
 
 struct SimulationProgress {
   double fraction;  ///< fraction of the simulation that is complete, estimated
-  /// Expected L1 sampling errors of p(y) and p(y') if the simulation ended now, as in
-  /// Solution::sampling of the result; empty with control variates, and if this process simulates
-  /// only a part of the trajectory streams
+  /// Expected L1 sampling errors of the densities p(y) and p(y') if the simulation ended now; empty
+  /// with control variates, and in a process that simulates only a part of the trajectory streams
   std::optional<double> y_l1{}, ydot_l1{};
 };
 
@@ -32,100 +31,107 @@ struct SimulationProgress {
 /// trajectory streams.
 struct SimulationProcessGroup {
   int part = 0, parts = 1;
-  /// Function that each process calls to send its streams to the first process.
-  /// @param serialised_streams streams of this process; ignored in the first process
-  /// @return in the first process: streams of all other processes, in the order of the processes;
-  /// otherwise empty
+  /// Function that each process calls to send its trajectory streams to the first process.
+  /// @param serialised_streams trajectory streams of the calling process; ignored in the first
+  /// process
+  /// @return in the first process, the trajectory streams of all other processes, in the order of
+  /// the processes; in other processes, an empty vector
   std::function<std::vector<std::string>(const std::string& serialised_streams)> gather = {};
 };
 
 struct SimulationOptions {
-  /// Excitation: `kf` for the impulses, paper (3), or `white` for Gaussian white noise of the same
-  /// mean and intensity
+  /// Excitation of the simulation: `kf` for the impulses, paper (3), or `white` for Gaussian white
+  /// noise with the mean and the intensity of the impulses
   DensityEquation equation = DensityEquation::kf;
-  /// Simulated time, summed over all streams, rounded up to whole rounds. The default is 1.6e6
-  /// decay times of the slowest mode of equivalent linearisation (2/c_eq below critical damping).
-  /// The options `tails` and `controlled` divide the default simulated time by 32. With the options
-  /// `samples` or `target_error` the limit of the simulated time is 1e4 times the default time. A
-  /// default time that needs more than a few seconds is shortened, unless `accuracy` requires up to
-  /// about a minute (simulation/simulation_plan.cpp).
+  /// Simulated time, summed over all trajectory streams, rounded up to whole rounds. The default
+  /// simulated time is 1.6e6 decay times of the slowest mode of equivalent linearisation; below
+  /// critical damping a decay time is 2/c_eq with the equivalent damping c_eq. The options `tails`
+  /// and `controlled` divide the default simulated time by 32. With the options `samples` or
+  /// `target_error` the limit of the simulated time is 1e4 times the default simulated time. A
+  /// default simulated time that needs more than a few seconds of computing time is shortened; the
+  /// option `accuracy` permits up to about a minute of computing time
+  /// (simulation/simulation_plan.cpp).
   std::optional<double> time{};
-  /// Required number of effectively independent samples of y'^2
+  /// Required number of effectively independent samples of the squared velocity y'^2
   /// (SimulationSummary::effective_samples)
   std::optional<double> samples{};
-  /// Required error: upper limit of the relative standard errors of E[y^2] and E[y'^2] and of the
-  /// expected L1 sampling errors of the marginals
+  /// Required error of the simulation: upper limit of the relative standard errors of E[y^2] and
+  /// E[y'^2] and of the expected L1 sampling errors of the marginals
   std::optional<double> target_error{};
-  /// Tolerance for the 99 % quantiles of the L1 sampling errors of p(y) and p(y'); a solution with
-  /// larger quantiles has the status `inaccurate`
+  /// Tolerance for the 99 % quantiles of the L1 sampling errors of the densities p(y) and p(y'); a
+  /// solution whose quantiles exceed the tolerance has the status `inaccurate`
   double accuracy = 0.02;
   std::uint64_t seed = 1;  ///< seed of the random numbers, below 2^63
-  /// Number of threads, which does not change the results; default: one per processor
+  /// Number of threads, which does not change the results; the default is one thread per processor
   std::optional<int> threads{};
-  /// Number of independent realisations, 8 .. 4096, whose differences give the confidence intervals
+  /// Number of independent realisations of the simulation, 8 .. 4096, whose differences give the
+  /// confidence intervals
   int streams = 128;
-  /// Longest Taylor step, in radians of the highest frequency that the energy permits; at most 1.2,
-  /// default 0.9
+  /// Longest time step of the Taylor series, in radians of the highest frequency that the energy of
+  /// the oscillator permits; at most 1.2, default 0.9
   std::optional<double> step{};
   /// Interval between the kicks that approximate white noise, in radians, at most 0.5. For the
-  /// paper's oscillator the frequency of equivalent linearisation defines the radians, and the
-  /// default is 0.05. For other oscillators the mean frequency and the damping define the radians,
-  /// and the default is 0.2, or 0.05 at strong impact losses, under multiplicative noise, and where
-  /// the force jumps in v.
+  /// paper's oscillator the frequency of equivalent linearisation converts time to radians, and the
+  /// default kick interval is 0.05 radians. For other oscillators the mean frequency and the
+  /// damping convert time to radians, and the default kick interval is 0.2 radians, or 0.05 radians
+  /// at strong impact losses, under multiplicative noise, and for forces that jump in the velocity.
   std::optional<double> white_step{};
-  /// Splits trajectories at high energies (ImportanceSplitting), to resolve densities of 1e-8 of
-  /// the peak density and less.
+  /// Whether trajectories are split at high energies (ImportanceSplitting), to resolve densities of
+  /// 1e-8 of the peak density and less.
   bool tails = false;
-  /// Reduces the variance by control variates, for `kf` without `tails`. Only
-  /// control_variates::simulate_with_control_variates() implements this option;
-  /// mcs::simulate_stationary_density() returns the plain estimates.
+  /// Whether control variates reduce the variance, for impulses (`kf`) without the option `tails`.
+  /// Only control_variates::simulate_with_control_variates() implements the option `controlled`;
+  /// mcs::simulate_stationary_density() returns the estimates without control variates.
   bool controlled = false;
 
-  // The members after this comment are no command-line options and are not written to files.
+  // The following members of SimulationOptions are no command-line options and are not written to
+  // files.
 
   /// Increasing bin edges of the histogram; y_edges begin at 0. By default the histogram has 140
   /// bins of y over 0 .. 7 sigma_1 and 140 bins of y' over +-7 sigma_2, with the standard
-  /// deviations of equivalent linearisation.
+  /// deviations sigma_1 of y and sigma_2 of y' from equivalent linearisation.
   std::vector<double> y_edges{};
   std::vector<double> v_edges{};
-  /// Grid on which samples are deposited (SimulationSummary::deposits), only for `kf` without
-  /// `tails`; the grid does not change any other result
+  /// Spline grid on which the samples are deposited (SimulationSummary::deposits), only for
+  /// impulses (`kf`) without the option `tails`; the grid changes no other result
   std::optional<SampleDepositionGrid> deposit{};
   /// Checkpoint file, written every half minute and at the end; if empty, no checkpoint is written.
-  /// The simulation does not begin if the path cannot be written; later write errors call `warn`.
+  /// The simulation does not begin if the checkpoint path cannot be written; later write errors
+  /// call the function `warn`.
   std::string checkpoint{};
-  /// Checkpoint file from which the simulation resumes, with the same result, bit for bit, as an
-  /// uninterrupted run; if empty, the simulation begins anew
+  /// Checkpoint file from which the simulation resumes, with the result of an uninterrupted run,
+  /// bit for bit; if empty, the simulation begins anew
   std::string resume{};
-  /// Callback for the progress after every round; an exception of the callback leaves
-  /// simulate_stationary_density()
+  /// Callback for the progress after every round of the simulation; simulate_stationary_density()
+  /// does not catch an exception of the callback
   std::function<void(const SimulationProgress&)> progress{};
-  /// Callback after every round; if `stop` returns true, the result uses the completed rounds
+  /// Callback after every round of the simulation; if `stop` returns true, the simulation ends with
+  /// the completed rounds as its result
   std::function<bool()> stop{};
   /// Callback for one-line warnings that do not affect the result; SimulationSummary::warnings
   /// contains all warnings as well
   std::function<void(const std::string&)> warn{};
-  /// Processes among which the streams are divided. The result in the first process does not depend
-  /// on the number of processes, bit for bit. A simulation by several processes requires the option
-  /// `time` and permits no checkpoints.
+  /// Processes among which the trajectory streams are divided. The result in the first process does
+  /// not depend on the number of processes, bit for bit. A simulation by several processes requires
+  /// the option `time` and permits no checkpoints.
   SimulationProcessGroup process_group{};
 };
 
 const base::OptionsDescription<SimulationOptions>& solver_option_descriptions();
 
-/// @throws InputError in one line with the option, its value and the allowed range
+/// @throws InputError with one line that states the option, its value and the allowed range
 void validate(const SimulationOptions& options);
 
-/// Returns the id of the solution that simulate_stationary_density() computes with these options:
-/// "mcs" or "mcs-white".
+/// Returns the id of the solution that simulate_stationary_density() computes with the given
+/// options: "mcs" or "mcs-white".
 std::string solution_id(const SimulationOptions& options);
 
 /// Returns the identity (id, label, method) of the solution that simulate_stationary_density()
-/// computes with these options.
+/// computes with the given options.
 transform::SolutionIdentity solution_identity(const SimulationOptions& options);
 
 /// Returns the options with which simulate_stationary_density() computes the solution `id`; empty
-/// for other ids.
+/// if `id` is no solution of the simulation.
 std::optional<SimulationOptions> options_of(std::string_view id);
 
 }  // namespace fpkcheck::mcs

@@ -10,21 +10,21 @@
 
 namespace fpkcheck::mcs {
 
-/// Chooses the energy thresholds of the splitting for a problem by pilot runs with independent
-/// random numbers. Each pilot run uses the thresholds of the previous pilot run and adds thresholds
-/// at higher energies. The probability that the energy after an impulse exceeds the last threshold
-/// is about 1e-10.
+/// Chooses the energy thresholds of importance splitting for a problem by pilot simulations with
+/// independent random numbers. Each pilot simulation uses the thresholds of the previous pilot
+/// simulation and adds thresholds at higher energies. The probability that the energy after an
+/// impulse exceeds the last energy threshold is about 1e-10.
 ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
                                                 const SimulationPlan& plan);
 
 /// Returns whether SimulationOptions::stop requests the end of the simulation. In a simulation by
-/// several processes the result is false, since all processes must simulate an equal time. A stop
-/// request then ends the process.
+/// several processes is_simulation_stop_requested() returns false, since all processes must
+/// simulate an equal time; a stop request then ends the process.
 bool is_simulation_stop_requested(const SimulationOptions& options);
 
 struct SimulationRunOutcome {
   /// Reason why the requested accuracy or number of samples was not reached, in one sentence; empty
-  /// if the goal was reached
+  /// if the requested accuracy and number of samples were reached
   std::string unreached_goal_reason{};
   bool interrupted = false;
 };

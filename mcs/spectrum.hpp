@@ -10,15 +10,15 @@ namespace fpkcheck::mcs {
 
 /// Estimates the one-sided spectral density of y or y' by Welch's method: periodograms of
 /// half-overlapping segments of y with Hann's window, averaged over all segments of a trajectory
-/// stream and over the streams with TrajectoryStreamWeights. The spectrum of y' is computed as w^2
-/// times the spectrum of y: the spectrum of samples of y' decreases only as w^-2 and would have a
-/// large alias.
+/// stream and over the streams with TrajectoryStreamWeights. The spectrum of y' is computed as the
+/// squared frequency w^2 times the spectrum of y, since the spectrum of samples of y' decreases
+/// only as w^-2 and would have a large alias.
 ///
-/// The errors are standard errors from the differences between streams, combined with two estimates
-/// of the bias: the alias, from the decrease G(w) ~ w^-4 above the largest frequency, and the
-/// effect of the width of the window, from a second estimate with segments of half the length. The
-/// autocovariance is the Fourier transform of the averaged periodograms, divided by the
-/// autocorrelation of the window.
+/// The errors of the spectrum combine standard errors from the differences between streams with two
+/// estimates of the bias: the alias, from the decrease of the spectrum G(w) ~ w^-4 above the
+/// largest frequency, and the smoothing by the spectral window, from a second spectrum with
+/// segments of half the length. The autocovariance is the Fourier transform of the averaged
+/// periodograms, divided by the autocorrelation of Hann's window.
 /// @param frequencies increasing angular frequencies w >= 0
 /// @param lags increasing times t >= 0 of the autocovariance R(t)
 /// @throws InputError as make_simulation_plan()
