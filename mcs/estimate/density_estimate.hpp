@@ -8,17 +8,18 @@
 
 namespace fpkcheck::mcs {
 
-/// Contributions of the trajectory streams to the sampling error of the probability of each bin
+/// Contributions of the trajectory streams to the sampling error of each bin probability
 /// (TrajectoryStreamWeights::stream_error_contributions), shape (bins, streams).
 using BinErrors = std::vector<std::vector<double>>;
 
-/// Returns the expected L1 sampling error of a marginal density, the sum over bins of sqrt(2/pi) *
-/// standard error.
+/// Returns the expected L1 sampling error of a marginal density, the sum over bins of sqrt(2/pi)
+/// times the standard error of the bin probability.
 double expected_l1_error(const BinErrors& errors);
 
 struct L1SamplingError {
   double expected = 0;  ///< expected L1 sampling error, from expected_l1_error()
-  /// 99 % quantile of the L1 sampling error, including the correlation of neighbouring bins
+  /// 99 % quantile of the L1 sampling error of a density, including the correlation of neighbouring
+  /// bins
   double quantile_99 = 0;
 };
 
@@ -29,10 +30,10 @@ struct MarginalDensityEstimate {
   BinErrors errors;
 };
 
-/// Returns the marginal density in bins, from all samples of the variable, with pointwise 95 %
-/// intervals.
-/// @param effective_samples effective number of samples, which determines the upper confidence
-/// limit in a bin without samples
+/// Returns the marginal density of y or y' in bins, estimated from all samples, with a 95 %
+/// confidence interval for each bin.
+/// @param effective_samples effective number of samples, which gives the upper confidence limit in
+/// a bin without samples
 MarginalDensityEstimate estimate_marginal(const Simulation& simulation,
                                           const TrajectoryStreamWeights& weights,
                                           transform::StateVariable variable,
@@ -45,10 +46,10 @@ struct JointDensityEstimate {
 JointDensityEstimate estimate_joint_density(const Simulation& simulation,
                                             const TrajectoryStreamWeights& weights);
 
-/// Returns quantiles of y or y' from the distribution function F of the histogram, a cubic between
-/// the bin edges. The 95 % interval contains the values x for which F(x) agrees with the
-/// probability within the sampling error (Woodruff, JASA 47, 1952). Quantiles outside the bins are
-/// omitted.
+/// Returns quantiles of y or y' from the distribution function F of the histogram, which is cubic
+/// between the bin edges. The 95 % confidence interval of a quantile contains the values x for
+/// which F(x) agrees with the probability within the sampling error (Woodruff, JASA 47, 1952).
+/// Quantiles outside the bins are omitted.
 std::vector<QuantileWithConfidenceInterval> estimate_quantiles(
     const Simulation& simulation, const TrajectoryStreamWeights& weights,
     transform::StateVariable variable);

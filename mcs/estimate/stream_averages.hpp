@@ -15,7 +15,7 @@ double moment_in_wall_coordinates(const Simulation& simulation,
                                   const TrajectoryStreamStatistics& record, int y_power,
                                   int v_power);
 
-/// Returns the mean of g(y) in one trajectory stream, in wall coordinates.
+/// Returns the mean of a polynomial g(y) in one trajectory stream, in wall coordinates.
 /// @pre the degree of the polynomial is at most 6
 double mean_of_polynomial_in_y(const Simulation& simulation,
                                const TrajectoryStreamStatistics& record,
@@ -34,22 +34,22 @@ std::vector<double> moment_per_stream(const Simulation& simulation, int y_power,
 struct MomentEstimates {
   transform::Moments means, standard_errors;
 };
-/// Returns the weighted means of the moments over the streams, in physical coordinates.
+/// Returns the moments in physical coordinates, as weighted means over the trajectory streams.
 MomentEstimates estimate_moments(const Simulation& simulation,
                                  const TrajectoryStreamWeights& weights);
 
 /// Returns the excess power of every trajectory stream: power of the drawn impulses minus the
-/// expected power.
+/// expected power of the impulses.
 std::vector<double> excess_impulse_power_per_stream(const Simulation& simulation);
 
 /// Returns the effective number of samples Var(x) / SE^2 of x = y^p y'^q, p = y_power, q = v_power:
 /// the number of independent draws whose mean has the same standard error.
 double effective_sample_count(const Simulation& simulation, int y_power, int v_power);
 
-/// Returns the rates of upward crossings of levels of y: the number of maxima minus the number of
-/// minima of y above the level, per unit time. Between an upward and a downward crossing of a
-/// level, y has one more maximum than minima. Every tenth bin edge of y is a crossing level, from
-/// the first edge above the wall.
+/// Returns the rates of upward crossings of levels of y: the number of maxima of y above the level
+/// minus the number of minima of y above the level, per unit time. Between an upward and a downward
+/// crossing of a level, y has one more maximum than minima. The crossing levels are every tenth bin
+/// edge of y, beginning with the first edge above the wall.
 std::vector<RateOfEventsAtLevel> estimate_upcrossing_rates(const Simulation& simulation,
                                                            const TrajectoryStreamWeights& weights);
 
