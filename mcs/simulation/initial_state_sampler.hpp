@@ -9,14 +9,15 @@
 
 namespace fpkcheck::mcs {
 
-/// Returns the initial state of a trajectory stream: independent zero-mean Gaussians z, z', folded
-/// by paper (5), y = |z|, y' = z' sgn z.
+/// Returns the initial state of a trajectory stream: two independent Gaussian numbers z and z' with
+/// mean 0, folded by paper (5), y = |z|, y' = z' sgn z.
 OscillatorState folded_initial_state(const ImpulseSource& source, double displacement_deviation,
                                      double velocity_deviation);
 
-/// Draws independent initial states from the energy-averaged law (problem::EnergyAveraging), with
-/// the correct mass of each well and of each energy band. The burn-in then only removes transients
-/// of the fast motion and the error of the averaging.
+/// Draws independent initial states from the energy-averaged density (problem::EnergyAveraging),
+/// with the correct probability of each potential well and of each energy band. After
+/// energy-averaged initial states the burn-in must remove only transients of the fast motion and
+/// the error of energy averaging.
 class InitialStateSampler {
  public:
   explicit InitialStateSampler(const problem::Problem& problem);

@@ -10,43 +10,46 @@
 
 namespace fpkcheck::mcs {
 
-/// Simulation of the independent streams (realisations) of a plan, in rounds of simulated time. The
-/// statistics do not depend on the number of threads, since each thread advances whole streams.
+/// Simulation of the independent trajectory streams (realisations) of a SimulationPlan, in rounds
+/// of simulated time. The statistics of the simulation do not depend on the number of threads,
+/// since each thread advances whole streams.
 class Simulation {
  public:
-  /// Creates the streams at the beginning of their burn-in. Initial states are drawn from the
-  /// Gaussian of equivalent linearisation, folded to y >= 0 by paper (5), or by
+  /// Creates the trajectory streams at the beginning of their burn-in. Initial states are drawn
+  /// from the Gaussian of equivalent linearisation, folded to y >= 0 by paper (5), or by
   /// InitialStateSampler.
   /// @param plan must outlive the simulation
-  /// @param splitting null, or must outlive the simulation
+  /// @param splitting null without importance splitting; otherwise must outlive the simulation
   Simulation(const problem::Problem& problem, const SimulationPlan& plan,
              const ImportanceSplitting* splitting = nullptr);
 
-  /// Restricts this simulation to every `part_count`-th group of streams, beginning with group
-  /// `part`. load_streams_of_process() reads the streams of the other parts.
+  /// Restricts the simulation to every `part_count`-th group of trajectory streams, beginning with
+  /// group `part`. load_streams_of_process() reads the trajectory streams of the other processes.
   void keep_streams_of_process(int part, int part_count);
 
-  /// Replaces the splitting and clears the histogram of the energies after impulses.
+  /// Replaces the importance splitting and clears the histogram of the energies after impulses.
   /// @param splitting must outlive the simulation
   void set_importance_splitting(const ImportanceSplitting& splitting);
 
-  /// From now on, simulate_and_sample_one_round() appends the samples of y to
+  /// After this call, simulate_and_sample_one_round() appends the samples of y to
   /// TrajectoryStream::series.
   /// @pre no splitting
   void enable_displacement_recording();
-  /// From now on, simulate_and_sample_one_round() appends states to TrajectoryStream::states.
+  /// After this call, simulate_and_sample_one_round() appends oscillator states to
+  /// TrajectoryStream::states.
   /// @pre no splitting, and no multiplicative noise
   void enable_state_recording();
 
-  /// Advances all streams by the burn-in time, without statistics.
+  /// Advances all trajectory streams by the burn-in time, without recording statistics.
   void run_burn_in();
-  /// Advances all streams by one round, and adds to their statistics.
+  /// Advances all trajectory streams by one round of simulated time, and adds samples and events to
+  /// their statistics.
   void simulate_and_sample_one_round();
-  /// Advances all streams from the time `from` to the time `to` with the excitation at these times,
-  /// without statistics and series.
+  /// Advances all trajectory streams from the time `from` to the time `to` under a time-dependent
+  /// excitation, without recording statistics and time series.
   void advance_streams_between_times(double from, double to);
-  /// Sets the state of a trajectory stream to (y, v). The next sample is half a sampling interval
-  /// later, and the next impulse comes after a new waiting time.
+  /// Sets the state of a trajectory stream to (y, v). After a restart the first sample is taken
+  /// half a sampling interval later, and the first impulse comes after a new waiting time.
   void restart_trajectory_stream(std::size_t stream, double y, double v);
 
   const SimulationPlan& plan_of_simulation() const { return *plan_; }
@@ -63,7 +66,7 @@ class Simulation {
   const std::vector<TrajectoryStream>& trajectory_streams() const { return streams_; }
   /// Returns the samples of y of a trajectory stream; the caller removes samples after use.
   std::vector<double>& displacement_series(std::size_t stream) { return streams_[stream].series; }
-  /// Returns the recorded states of a stream; the caller removes states after use.
+  /// Returns the recorded states of a trajectory stream; the caller removes states after use.
   std::vector<RecordedState>& recorded_states(std::size_t stream) {
     return streams_[stream].states;
   }
@@ -71,12 +74,13 @@ class Simulation {
   /// Writes the complete state of the simulation between two rounds.
   void save_state(std::ostream& out) const;
   /// Reads a simulation state that save_state() wrote.
-  /// @throws InputError if the input is not a state with the same numbers of streams and bins
+  /// @throws InputError if the input is not the state of a simulation with equal numbers of streams
+  /// and bins
   void load_state(std::istream& in);
 
-  /// Writes the states of those streams that this process simulates.
+  /// Writes the states of the trajectory streams that the present process simulates.
   void save_streams_of_this_process(std::ostream& out) const;
-  /// Reads the streams of a part that save_streams_of_this_process() wrote.
+  /// Reads the trajectory streams of another process, which save_streams_of_this_process() wrote.
   /// @throws InputError as load_state()
   void load_streams_of_process(std::istream& in, int part);
 
@@ -95,7 +99,7 @@ class Simulation {
   std::vector<TrajectoryStream> streams_;
 };
 
-/// Returns value(statistics) of each trajectory stream.
+/// Returns the number value(statistics) for each trajectory stream.
 template <class Value>
 std::vector<double> statistic_of_each_stream(const std::vector<TrajectoryStream>& streams,
                                              Value value) {

@@ -13,8 +13,8 @@
 
 namespace fpkcheck::mcs {
 
-/// Default limit of the Taylor step in radians, with smaller errors of the flights than the
-/// classical Runge-Kutta method with step 0.05 (docs/simulation.md).
+/// Default limit of the time step of Taylor series, in radians; the errors of the free flights are
+/// smaller than with the classical Runge-Kutta method and a step of 0.05 (docs/simulation.md).
 inline constexpr double kAutomaticStepInRadians = 0.9;
 
 enum class ShortBurnInCause {
@@ -32,7 +32,7 @@ struct SimulationPlan {
   SimulatedOscillator oscillator;
   NoiseKicks kicks;
   double step;
-  /// Expected number of impulses, kicks and flights per unit time of a trajectory stream
+  /// Expected number of impulses, noise kicks and free flights of a trajectory stream per unit time
   double expected_event_rate;
   double burn_in;
   ShortBurnInCause short_burn_in_cause;
@@ -40,7 +40,8 @@ struct SimulationPlan {
   std::uint64_t samples_per_round;
   std::uint64_t rounds;
   double centre;  ///< centre of the motion, problem::MotionScales::centre
-  /// Standard deviation sigma_1 of y, from equivalent linearisation or energy averaging
+  /// Standard deviation sigma_1 of the displacement y, from equivalent linearisation or energy
+  /// averaging
   double displacement_deviation;
   double velocity_deviation;  ///< standard deviation sigma_2 of y'
   bool has_contact_atoms;     ///< whether the stationary law has atoms at rest in contact
@@ -59,11 +60,12 @@ struct SimulationPlan {
   }
 };
 
-/// @throws InputError for invalid options, and for options that are not supported for the problem
+/// @throws InputError for invalid options, and for options that the problem does not permit
 SimulationPlan make_simulation_plan(const problem::Problem& problem,
                                     const SimulationOptions& options);
 
-/// Returns why the burn-in is below 5 decay times, and what to do; empty for a long burn-in.
+/// Returns why the burn-in is below 5 decay times, and what the user can do; an empty text for a
+/// longer burn-in.
 std::string short_burn_in_reason(const SimulationPlan& plan, const SimulationOptions& options);
 
 }  // namespace fpkcheck::mcs
