@@ -5,8 +5,9 @@
 #include "mcs/deposit/sample_deposit.hpp"
 #include "numerics/simd/simd.hpp"
 
-// This file is compiled for several instruction sets. Each SIMD lane holds one of the splines that
-// are nonzero at a sample; in all other files of mcs/ each lane holds one stream.
+// sample_deposit_simd.hpp is compiled for several instruction sets. Each SIMD lane holds one of the
+// splines that are nonzero at a sample; in all other files of mcs/ each SIMD lane holds one
+// trajectory stream.
 
 namespace fpkcheck::mcs {
 namespace {
@@ -25,8 +26,8 @@ FPKCHECK_INLINE void add_to_eight_sums(double* to, const Real8& terms) {
   simd::store(simd::load<Real8>(to) + terms, to);
 }
 
-/// Values and slopes of the splines that are nonzero at a point; `first` is the index of the first
-/// spline.
+/// Values and slopes of the six B-splines that are nonzero at a point; `first` is the index of the
+/// first of these B-splines.
 struct SplineValuesAndSlopes {
   Real8 value, slope;
   int first;
@@ -34,25 +35,26 @@ struct SplineValuesAndSlopes {
 
 FPKCHECK_INLINE SplineValuesAndSlopes evaluate_splines(const SplineSpanPolynomials& pieces,
                                                        double x) {
-  // An argument that is NaN is replaced by the first spline knot.
+  // A coordinate x that is NaN is replaced by the first spline knot.
   const double inside = x > pieces.begin() ? (x < pieces.end() ? x : pieces.end()) : pieces.begin();
   const int place =
       static_cast<int>((inside - pieces.begin()) * pieces.span_search_cells_per_unit_length());
   const int last = pieces.cell_count() - 1;
-  // A cell of the search for knot spans contains at most one knot. At a spline knot the polynomials
-  // of the two neighbouring spans agree up to rounding.
+  // Each search cell contains at most one spline knot. At a spline knot the polynomials of the two
+  // neighbouring knot spans agree up to rounding.
   int span = pieces.span_at_search_cell_begin()[place > last ? last : place];
   span += span + 1 < pieces.break_span_count() && inside >= pieces.spline_knots()[span + 1] ? 1 : 0;
   const double* const c = pieces.coefficients() + pieces.polynomial_coefficient_offsets()[span];
   const double t = (inside - pieces.spline_knots()[span]) * pieces.reciprocal_span_lengths()[span];
   SplineValuesAndSlopes f{evaluate_polynomials<5>(c, t), Real8{},
                           pieces.first_nonzero_spline_indices()[span]};
-  // Beyond the end knots the B-splines are constant, with slope 0.
+  // Outside the interval of the knots the B-splines are constant, with slope 0.
   if (inside == x) f.slope = evaluate_polynomials<4>(c + 6 * 8, t);
   return f;
 }
 
-/// Adds a weighted sample x to the sums of the smooth bins whose cubic B-splines are nonzero at x.
+/// Adds a weighted sample x to the sums of the smooth bins, for the four cubic B-splines that are
+/// nonzero at x.
 FPKCHECK_INLINE void add_to_smooth_bins(const SmoothBins& bins, const double* cubics, double* sums,
                                         double x, double weight) {
   const double cells = (x - bins.first) / bins.spacing;
@@ -62,8 +64,8 @@ FPKCHECK_INLINE void add_to_smooth_bins(const SmoothBins& bins, const double* cu
                     weight * evaluate_polynomials<3>(cubics, cells - cell));
 }
 
-/// Deposits lambda B_i(y) on the velocity lattice at v, by Lagrange interpolation with eight
-/// points.
+/// Adds lambda B_i(y), for the impulse rate lambda and the splines B_i(y), to the points of the
+/// velocity lattice next to v, by Lagrange interpolation with eight points.
 FPKCHECK_INLINE void deposit_on_velocity_lattice(const SampleDepositionPlan& plan,
                                                  DepositedSampleSums& deposit, int first,
                                                  const Real8& rates, double v) {
@@ -82,13 +84,13 @@ FPKCHECK_INLINE void deposit_on_velocity_lattice(const SampleDepositionPlan& pla
   }
 }
 
-/// Adds the terms of one sample (y, v) to the sums of a deposit.
+/// Adds the terms of one sample (y, v) to the sums of DepositedSampleSums.
 /// @param acceleration second derivative y'' of the flight polynomial
 FPKCHECK_INLINE void deposit_sample(const SampleDepositionPlan& plan, DepositedSampleSums& deposit,
                                     double y, double v, double acceleration, double weight) {
   const SplineValuesAndSlopes in_y = evaluate_splines(plan.y, y),
                               in_v = evaluate_splines(plan.v, v);
-  // Terms y' B_i' B_j - lambda B_i B_j + y'' B_i B_j' of one sample
+  // Terms y' B_i' B_j - lambda B_i B_j + y'' B_i B_j' of one sample for splines B_i(y) and B_j(v)
   const Real8 of_value = (weight * v) * in_y.slope - (weight * plan.rate) * in_y.value;
   const Real8 of_slope = (weight * acceleration) * in_y.value;
   double* row = deposit.flow.data() + in_y.first * deposit.flow_pitch + in_v.first;
@@ -121,8 +123,8 @@ FPKCHECK_INLINE void deposit_sample(const SampleDepositionPlan& plan, DepositedS
   deposit.acceleration[2] += weighted * v;
 }
 
-/// Deposits the jump h(0, v+) - h(y-, v-) at one impact to first order in y-, since y- differs from
-/// 0 only by rounding.
+/// Deposits the jump h(0, v+) - h(y-, v-) of a spline h(y, v) at one impact, to first order in the
+/// displacement y-, since y- differs from 0 only by rounding.
 FPKCHECK_INLINE void deposit_impact(const SampleDepositionPlan& plan, DepositedSampleSums& deposit,
                                     double y_before, double v_before, double v_after,
                                     double weight) {
@@ -133,7 +135,7 @@ FPKCHECK_INLINE void deposit_impact(const SampleDepositionPlan& plan, DepositedS
   double* row = deposit.flow.data();
   add_to_eight_sums(row + after.first, per_sample * after.value);
 #pragma GCC unroll 2
-  // only the first two splines of y have a nonzero value or slope at the wall
+  // at the wall y = 0 only the first two splines of y have a nonzero value or slope
   for (int i = 0; i < 2; ++i) {
     const double at =
         simd::value_in_lane(wall.value, i) + y_before * simd::value_in_lane(wall.slope, i);
