@@ -9,11 +9,11 @@
 
 namespace fpkcheck::mcs {
 
-/// Parameters of motion, sampling and statistics that all streams have in common.
+/// Parameters of motion, sampling and statistics that all trajectory streams have in common.
 struct StreamMotionParameters {
   SimulatedOscillator oscillator;
   NoiseKicks kicks{};  ///< noise kicks; absent with SimulatedOscillator::Kind::duffing_at_wall
-  /// limit of the Taylor step in radians, see DuffingFlight::max_flight_duration
+  /// limit of the time step of Taylor series in radians, see DuffingFlight::max_flight_duration
   double step;
   double sampling_interval;
   const BinFinder* y_bins;
@@ -23,13 +23,13 @@ struct StreamMotionParameters {
   double shift = 0;  ///< shift of the velocity impulses, ImpulseProcess::shift
   bool records_displacement_series =
       false;  ///< whether samples of y are appended to TrajectoryStream::series
-  /// Whether the states at samples, impulses and noise kicks are appended to
-  /// TrajectoryStream::states; not supported for kicks of multiplicative noise
+  /// Whether the oscillator states at samples, impulses and noise kicks are appended to
+  /// TrajectoryStream::states; must be false for kicks of multiplicative noise
   bool keeps_states = false;
-  /// Plan of the deposition of samples, null if samples are not deposited. Samples can be deposited
-  /// only with SimulatedOscillator::Kind::duffing_at_wall.
+  /// Plan of the deposition of samples on splines; null if samples are not deposited. Samples can
+  /// be deposited only with SimulatedOscillator::Kind::duffing_at_wall.
   const SampleDepositionPlan* deposit = nullptr;
-  /// Changes of the excitation in time; null for a constant excitation
+  /// Formulas of a time-dependent excitation; null for a constant excitation
   const problem::ExcitationTimeDependence* time_dependence = nullptr;
   double end_time = 0;  ///< time at the end of advance_all_streams(), used with `time_dependence`
 };
@@ -37,35 +37,37 @@ struct StreamMotionParameters {
 /// Returns the factor of the noise intensity at the present time of a branch.
 double noise_intensity_factor(const StreamMotionParameters& motion, const TrajectoryBranch& branch);
 /// Returns true with the probability a(t), the ratio of the impulse rate at the time t to the
-/// largest impulse rate. If the result is true, the stream receives an impulse drawn at the largest
-/// rate (thinning of a Poisson process).
+/// largest impulse rate. If accept_impulse_by_thinning() returns true, the stream receives an
+/// impulse drawn at the largest impulse rate (thinning of a Poisson process).
 bool accept_impulse_by_thinning(const StreamMotionParameters& motion, TrajectoryStream& stream);
 
-/// Advances streams by `duration`, event by event, paper (1)-(2). Free flights end exactly at
-/// impacts, at impulses, at noise kicks and at the end of the duration. If the contact force
-/// presses the mass on a wall, infinitely many bounces end in finite time. Below the impact speed
-/// SimulatedWall::rest_speed the geometric series of the bounces is summed, and the mass then rests
-/// until the next impulse.
+/// Advances trajectory streams by `duration`, event by event, paper (1)-(2). Free flights end
+/// exactly at impacts, at impulses, at noise kicks and at the end of `duration`. If the contact
+/// force presses the mass on a wall, infinitely many bounces end in finite time. Below the impact
+/// speed SimulatedWall::rest_speed the geometric series of the bounces is summed, and the mass then
+/// rests until the next impulse.
 ///
 /// The result of a trajectory stream does not depend on other streams, on the number of streams or
 /// on the instruction set.
-/// @param streams any number of streams; each SIMD lane advances one stream
+/// @param streams any number of trajectory streams; each SIMD lane advances one stream
 /// @pre `splitting`, `deposit` and `keeps_states` require `records`; `splitting` excludes
 /// `records_displacement_series` and `keeps_states`
 void advance_all_streams(const StreamMotionParameters& motion,
                          std::span<TrajectoryStream* const> streams, double duration,
                          const simd::SimdVariant& simd_variant);
 
-/// Returns the time from a noise kick at (y, v) to the next noise kick. Next to a wall with impact
-/// losses the time is a fraction of v^2/D or (distance^2/D)^(1/3), the times in which noise alone
-/// changes the motion. With a constant kick interval the strength of the kicks would prevent the
-/// oscillator from coming close to rest.
-/// @param diffusion present diffusion coefficient D, without the factor of multiplicative noise
+/// Returns the time from a noise kick at the state (y, v) to the next noise kick. Next to a wall
+/// with impact losses the kick interval is a fraction of v^2/D or (distance^2/D)^(1/3), the times
+/// in which noise alone changes speed v and distance from the wall. With a constant kick interval
+/// the strength of the kicks would prevent the oscillator from coming close to rest.
+/// @param diffusion diffusion coefficient D at the present time, without the factor of
+/// multiplicative noise
 double time_to_next_kick(const StreamMotionParameters& motion, double diffusion, double y,
                          double v);
 
-// The three functions advance_trajectory_streams() advance `stream_count` streams, each by its
-// remaining time. One source file with the three functions is compiled for three instruction sets.
+// The functions advance_trajectory_streams() of three namespaces advance `stream_count` streams,
+// each by its remaining time. The source code of advance_trajectory_streams() is compiled for three
+// instruction sets.
 namespace baseline {
 void advance_trajectory_streams(const StreamMotionParameters& motion,
                                 TrajectoryStream* const* streams, int stream_count);

@@ -10,20 +10,20 @@
 #include "mcs/motion/scalar_events.hpp"
 #include "numerics/simd/simd.hpp"
 
-// Files that include advance_simd.hpp are compiled for different instruction sets. All functions of
-// advance_simd.hpp are inlined or have internal linkage, since the linker could otherwise keep a
-// copy with instructions that the processor lacks.
+// Files that include advance_trajectories_simd.hpp are compiled for different instruction sets. All
+// functions of advance_trajectories_simd.hpp are inlined or have internal linkage, since the linker
+// could otherwise keep a copy with instructions that the processor lacks.
 
 namespace fpkcheck::mcs {
 namespace {
 
-/// Motion of SimulatedOscillator::Kind::duffing_at_wall: the only wall is at y = 0, the mass never
-/// rests, and no noise acts between impulses.
+/// Motion of an oscillator of SimulatedOscillator::Kind::duffing_at_wall: the only wall is at y =
+/// 0, the mass never rests on the wall, and no noise acts between impulses.
 struct DuffingMotion {
   template <class Real>
   using Flight = DuffingFlight<Real>;
   static constexpr bool kHasFormula = false;  ///< whether the force is a formula
-  /// Whether the oscillator may have two walls, no wall, or walls at positions other than y = 0
+  /// Whether the class supports two walls, no wall, and walls at positions other than y = 0
   static constexpr bool kHasAnyWalls = false;
   static constexpr bool kHasRest = false;  ///< whether the mass may rest on a wall
   static constexpr bool kHasKicks = false;
@@ -146,8 +146,8 @@ struct SimdLaneStates {
     }
   }
 
-  /// Applies the impact law, paper (2), at all walls, also after an impulse towards a wall on which
-  /// the mass rests.
+  /// Applies the impact law, paper (2), at all walls; an impulse towards a wall on which the mass
+  /// rests also causes an impact.
   FPKCHECK_INLINE void apply_impacts(const Mask& active) {
     if constexpr (Motion::kHasAnyWalls) {
       if (oscillator.left.exists)
@@ -160,7 +160,8 @@ struct SimdLaneStates {
     }
   }
 
-  /// Applies a function of the SIMD lane number to the lanes of a mask; other lanes return 0.
+  /// Returns the values of a function of the SIMD lane number in the lanes of the mask `wanted`,
+  /// and 0 in other lanes.
   template <class Function>
   FPKCHECK_INLINE static Real evaluate_in_lanes(const Mask& wanted, const Function& function) {
     Array<double> values{};
@@ -208,10 +209,11 @@ struct SimdLaneStates {
     v = simd::select(impact, after, v);
   }
 
-  /// Returns the velocity after impacts at a wall with a formula r(u), and adds the changes of the
-  /// momentum and the lost energies. After an impact slower than SimulatedWall::rest_speed the
-  /// bounces end after total_bounce_time() with the mass at rest: the bounces lose the remaining
-  /// energy, and contact force and wall change the momentum by equal amounts.
+  /// Returns the velocity after impacts at a wall with a formula of the restitution coefficient
+  /// r(u), and adds the changes of the momentum and the lost energies to the statistics. After an
+  /// impact slower than SimulatedWall::rest_speed the bounces end after total_bounce_time() with
+  /// the mass at rest: the bounces dissipate the remaining energy, and the wall transfers the
+  /// momentum `speed` plus contact force times bounce time.
   FPKCHECK_INLINE Real velocity_after_impact(const SimulatedWall& wall, const Real& speed,
                                              const Mask& impact, const Real& event_weight,
                                              Real& momentum_sum, Real& energy_sum) {
@@ -243,7 +245,7 @@ struct SimdLaneStates {
   }
 
   /// Replaces the bounces after an impact slower than SimulatedWall::rest_speed by the sum of a
-  /// geometric series, and keeps the mass at the wall.
+  /// geometric series, with the mass at the wall during the bounces.
   FPKCHECK_INLINE void replace_bounces_by_geometric_sum(const SimulatedWall& wall,
                                                         const Real& speed, const Mask& impact,
                                                         Real& after, Real& momentum_sum,
@@ -251,8 +253,9 @@ struct SimdLaneStates {
     const double r = wall.restitution;
     const Mask stays = impact & (speed < wall.rest_speed);
     if (!simd::any_mask_lane_set(stays)) return;
-    // Bounce n = 1, 2, .. starts at the speed u_n = r^n speed and takes the time 2 u_n /
-    // contact_force. For r = 1 the bounces never end.
+    // Bounce n = 1, 2, .. starts at the speed u_n = r^n speed, with the restitution coefficient r,
+    // and takes the time 2 u_n / contact_force. For the restitution coefficient r = 1 the bounces
+    // never end.
     constexpr double kNoEnd = 1e300;
     const double times = r < 1 ? 2 * r / ((1 - r) * wall.contact_force) : 0;
     const Real time = r < 1 ? speed * times : simd::all_lanes_equal_to<Real>(kNoEnd);
@@ -331,7 +334,7 @@ struct SimdLaneStates {
     }
   }
 
-  // A SIMD lane without a due sample has the weight 0.
+  // SIMD lanes in which no sample is due get the sample weight 0.
   FPKCHECK_INLINE void add_sample_to_statistics(const PhaseState<Real>& at, const Mask& due,
                                                 [[maybe_unused]] const Mask& at_rest) {
     const Real sample_weight = simd::select_or_zero(due, weight);
@@ -402,7 +405,8 @@ struct SimdLaneStates {
     return between;
   }
 
-  /// Adds the statistical weight of each SIMD lane in `lanes` to the bin that contains y_value.
+  /// Adds the statistical weight of each SIMD lane in the mask `lanes` to the bin that contains the
+  /// displacement y_value.
   FPKCHECK_INLINE void add_weights_to_y_bins(
       std::vector<double> TrajectoryStreamStatistics::*bin_weights, const Real& y_value,
       const Mask& lanes) {
@@ -414,7 +418,8 @@ struct SimdLaneStates {
     }
   }
 
-  /// Ends a DuffingFlight at an impact in [0, span], if present, and counts a maximum of y.
+  /// Ends a DuffingFlight at an impact within the time interval [0, span], if an impact occurs, and
+  /// counts a maximum of y.
   FPKCHECK_INLINE void end_flight_at_single_wall(const Flight& flight, Real& span,
                                                  PhaseState<Real>& end) {
     const Mask impact = (end.y < 0.0) & (y > 0.0);
@@ -432,10 +437,11 @@ struct SimdLaneStates {
     add_weights_to_y_bins(&TrajectoryStreamStatistics::peaks, height, peak);
   }
 
-  /// Ends a PolynomialFlight at the first impact in [0, span], if present, and counts extremes of
-  /// y. The velocity changes sign at most once in a flight, so that y at the two ends and at the
-  /// extreme determine the impacts. The signs of y at the ends alone miss the return to a wall with
-  /// positive contact force, and a short excursion behind a wall.
+  /// Ends a FreeFlight at the first impact within the time interval [0, span], if an impact occurs,
+  /// and counts extremes of y. Since the velocity changes sign at most once in a flight, the values
+  /// of y at the two ends and at the extreme determine the impacts. The signs of y at the two ends
+  /// of a flight alone would miss the return to a wall with positive contact force, and a short
+  /// excursion behind a wall.
   FPKCHECK_INLINE void end_flight_at_first_wall(const Flight& flight, Real& span,
                                                 PhaseState<Real>& end, const Mask& free) {
     const SimulatedOscillator& o = oscillator;
@@ -468,8 +474,8 @@ struct SimdLaneStates {
       const Mask after_turn = turned & (first == none);
       const Real low = simd::select(after_turn, turning, Real{});
       const Real high = simd::select(first, turning, span);
-      // The initial guess comes from the parabola about the extreme of y, or from the chord if y
-      // has no extreme in the flight.
+      // The initial guess of the impact time comes from the parabola about the extreme of y, or
+      // from the chord if y has no extreme in the flight.
       const Real from_extreme = extreme - wall;
       const Real of_first =
           1.0 - simd::square_root(simd::lanewise_max(from_extreme / (extreme - y), Real{}));
@@ -558,7 +564,7 @@ struct SimdLaneStates {
     v = simd::load<Real>(vs.at);
     time_to_impulse = simd::load<Real>(times_to_impulse.at);
     if constexpr (Motion::kHasKicks) time_to_kick = simd::load<Real>(kicks.at);
-    // Impulses and kicks end the rest of the mass on a wall.
+    // Impulses and noise kicks end the state of rest of the mass on a wall.
     if constexpr (Motion::kHasRest)
       time_to_rest = simd::select(now, simd::all_lanes_equal_to<Real>(-1.0), time_to_rest);
   }
@@ -583,9 +589,10 @@ struct SimdLaneStates {
     for (;;) {
       const Mask active = remaining > 0.0;
       if (!simd::any_mask_lane_set(active)) break;
-      // Every iteration advances the time of a lane, ends at a wall, or rejects the step of a
-      // FormulaFlight. At a wall the velocity points inwards or the mass rests, so the next
-      // iteration advances the time. After a rejected integration step the next step is shorter.
+      // The loop ends because every iteration advances the time of a SIMD lane, ends at a wall, or
+      // rejects the step of a FormulaFlight. After apply_impacts() at a wall the velocity points
+      // inwards or the mass rests, so that the next iteration advances the time. After a rejected
+      // integration step the next integration step is shorter.
       apply_impacts(active);
       Real span = simd::lanewise_min(time_to_impulse, remaining);
       if constexpr (Motion::kHasKicks) span = simd::lanewise_min(span, time_to_kick);
@@ -631,8 +638,7 @@ struct SimdLaneStates {
   }
 };
 
-/// Orders of the Taylor polynomials; flights between noise kicks are short, so that order 8
-/// suffices.
+/// Orders of the Taylor polynomials; for the short flights between noise kicks order 8 suffices.
 inline constexpr int kOrderOfFlights = 12, kOrderBetweenKicks = 8;
 
 template <int W>

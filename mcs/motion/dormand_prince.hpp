@@ -4,7 +4,8 @@ namespace fpkcheck::mcs::dormand_prince {
 
 // Coefficients of the method of Dormand and Prince of order 5(4) (J. Comput. Appl. Math. 6, 1980).
 inline constexpr int kStages = 7;
-/// Coefficients of the Runge-Kutta stages. The last row has the weights of order 5.
+/// Coefficients of the Runge-Kutta stages; the last row contains the weights of the solution of
+/// order 5.
 inline constexpr double kStage[kStages][kStages - 1] = {
     {},
     {1.0 / 5},
@@ -14,7 +15,7 @@ inline constexpr double kStage[kStages][kStages - 1] = {
     {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
     {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
 inline constexpr double kNode[kStages] = {0, 1.0 / 5, 3.0 / 10, 4.0 / 5, 8.0 / 9, 1, 1};
-/// Differences between the Runge-Kutta weights of order 5 and of order 4, for the error estimate.
+/// Weights of the Runge-Kutta solution of order 5 minus weights of order 4, for the error estimate.
 inline constexpr double kError[kStages] = {
     71.0 / 57600, 0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
 

@@ -4,9 +4,10 @@
 
 namespace fpkcheck::mcs {
 
-/// Flights of a hardening Duffing oscillator (SimulatedOscillator::Kind::duffing_at_wall), paper
-/// (1) without impulses: y'' = -(c y' + k y + mu y^3) with c, k, mu >= 0, in y >= 0. The initial
-/// energy bounds the frequency of the whole flight, since the energy does not grow during a flight.
+/// Free flight of a hardening Duffing oscillator (SimulatedOscillator::Kind::duffing_at_wall),
+/// paper (1) without impulses: y'' = -(c y' + k y + mu y^3) with c, k, mu >= 0, in y >= 0. The
+/// initial energy of a DuffingFlight bounds the frequency during the flight, since the energy does
+/// not grow between impulses.
 template <class Real>
 class DuffingFlight : public TaylorFlight<Real, 12> {
   using Base = TaylorFlight<Real, 12>;
@@ -25,13 +26,14 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   }
   DuffingFlight(SimulatedOscillator&&, const PhaseState<Real>&) = delete;
 
-  /// Returns the longest time for which the polynomial is used: `phase` radians of the highest
-  /// possible frequency.
+  /// Returns the longest duration of a DuffingFlight: `phase` radians at the upper bound of the
+  /// frequency.
   ///
-  /// By Sturm's comparison theorem, zeros of a solution of y'' + c y' + (g(y)/y) y = 0 are at least
-  /// pi / sqrt(max g(y)/y) apart. If `phase` is below pi, a flight therefore has at most one
-  /// impact, and no impact if the flight starts at the wall with v >= 0. An impact occurs exactly
-  /// if y < 0 at the end of the flight polynomial, and impacts cannot accumulate.
+  /// By Sturm's comparison theorem, the zeros of a solution y(t) of y'' + c y' + (g(y)/y) y = 0
+  /// have distances of at least pi / sqrt(max g(y)/y). If `phase` is below pi, a flight therefore
+  /// has at most one impact, and no impact if the flight starts at the wall with v >= 0. An impact
+  /// occurs if and only if y < 0 at the end of the flight polynomial, and impacts cannot
+  /// accumulate.
   FPKCHECK_INLINE Real max_flight_duration(double phase) const { return phase / frequency_bound_; }
 
   FPKCHECK_INLINE Real acceleration(const PhaseState<Real>& state) const {
@@ -40,28 +42,29 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
     return -(c * state.v + force);
   }
 
-  /// Returns the zero of y(s) in [0, end], to rounding, in the lanes of `wanted`, where y(0) > 0 >
-  /// y(end). SIMD lanes outside the mask `wanted` return a finite number.
+  /// Returns the impact time in [0, end], the zero of y(s) up to rounding, in the SIMD lanes of the
+  /// mask `wanted`, where y(0) > 0 > y(end). SIMD lanes outside the mask `wanted` return a finite
+  /// number.
   template <class Mask>
   FPKCHECK_INLINE Real impact_time(const Real& end, const PhaseState<Real>& at_end,
                                    const Mask& wanted) const {
-    // Halley's method triples the number of correct digits per step, so that two steps usually
-    // suffice.
+    // Halley's method triples the number of correct digits of the impact time per iteration, so
+    // that two iterations usually suffice.
     const auto halley = [&](const Real& s, Mask& is_before) __attribute__((always_inline)) {
       const PhaseState<Real> state = state_at_time(s);
       is_before = state.y >= 0.0;
       return s - state.y * state.v / (state.v * state.v - 0.5 * (state.y * acceleration(state)));
     };
-    // After a correction of relative size 1e-6 by Halley's third-order method, the remaining error
-    // is rounding.
+    // After a correction of relative size 1e-6 by Halley's third-order method, the impact time is
+    // exact up to rounding.
     return find_bracketed_zero(
         Real{}, end, impact_time_guess(end, at_end), wanted,
         halley, [&](const Real&) __attribute__((always_inline)) { return 1e-6 * end; });
   }
 
-  /// Returns the time in [0, end] of the maximum of y, v(s) = 0, in the lanes where v(0) > 0 >
-  /// v(end). The relative error of about 1e-5 in time causes an error of about 1e-10 in the
-  /// maximum.
+  /// Returns the time s in [0, end] of the maximum of y, where v(s) = 0, in the SIMD lanes with
+  /// v(0) > 0 > v(end). A relative error of about 1e-5 in the time of the maximum causes an error
+  /// of about 1e-10 in the maximum of y.
   FPKCHECK_INLINE Real displacement_peak_time(const Real& end,
                                               const PhaseState<Real>& at_end) const {
     const Real chord = end * (a_[1] / (a_[1] - at_end.v));
@@ -74,8 +77,9 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
 
  private:
   /// Returns an upper bound of the frequency, which keeps the time step below the radius of
-  /// convergence of the Taylor series. The bound is c plus the square root of the largest slope k +
-  /// 3 mu y^2 of the force, where mu y^4 / 4 <= E = y'^2/2 + U(y).
+  /// convergence of the Taylor series. The frequency bound is the damping c plus the square root of
+  /// the largest slope k + 3 mu y^2 of the restoring force, where mu y^4 / 4 <= E with the energy E
+  /// = y'^2/2 + U(y).
   FPKCHECK_INLINE static Real frequency_bound(const SimulatedOscillator& o,
                                               const PhaseState<Real>& start) {
     const double k = o.force[1], mu = o.force[3];
@@ -84,13 +88,13 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
     return simd::square_root(k + 6.0 * simd::square_root(mu * energy)) + o.damping[0];
   }
 
-  /// Computes a_2, a_3, .. from a_0 and a_1 by the recursion
+  /// Computes the Taylor coefficients a_2, a_3, .. of y(s) from a_0 and a_1 by the recursion
   ///
   ///     (n+1)(n+2) a_{n+2} = -(c (n+1) a_{n+1} + k a_n + mu [y^3]_n).
   FPKCHECK_INLINE void compute_taylor_coefficients() {
     const double c = oscillator_.damping[0], k = oscillator_.force[1], mu = oscillator_.force[3];
     std::array<Real, kOrder - 1> square;  // coefficients [y^2]_n
-    // Each sum of the recursion adds the newest Taylor coefficients last, so that the chain of
+    // The sums of the recursion add the newest Taylor coefficients last, so that the chain of
     // dependent operations is short.
 #pragma GCC unroll 16
     for (int n = 0; n + 2 <= kOrder; ++n) {
@@ -108,9 +112,9 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
     }
   }
 
-  /// Returns a first approximation of the impact time: s(0) of the cubic s(y) with the slopes 1/v
-  /// at both ends. If this approximation is outside the flight interval, the zero of the chord is
-  /// returned.
+  /// Returns a first approximation of the impact time: the value s(0) of the cubic s(y) with the
+  /// slopes 1/v at the two ends of the flight. If the cubic gives a time outside the flight, the
+  /// zero of the chord of y(s) is returned.
   FPKCHECK_INLINE Real impact_time_guess(const Real& end, const PhaseState<Real>& at_end) const {
     const Real drop = a_[0] - at_end.y;  // positive drop of y during the flight
     const Real u = a_[0] / drop;

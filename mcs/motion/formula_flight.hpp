@@ -4,11 +4,12 @@
 #include "mcs/motion/free_flight.hpp"
 #include "numerics/simd/elementary_functions.hpp"
 
-// This file is compiled for several instruction sets.
+// formula_flight.hpp is compiled for several instruction sets.
 namespace fpkcheck::mcs {
 namespace {
 
-/// Oscillator states of the SIMD lanes of a mask, packed for the evaluation of formulas.
+/// Oscillator states of the SIMD lanes of a mask, packed into arrays for the evaluation of
+/// formulas.
 template <class Real>
 struct PackedOscillatorStates {
   static constexpr int W = simd::kWidth<Real>;
@@ -30,7 +31,7 @@ struct PackedOscillatorStates {
     }
   }
 
-  /// Returns packed values in their SIMD lanes, and 0 in all other lanes.
+  /// Returns packed values in the SIMD lanes of the packed states, and 0 in all other SIMD lanes.
   FPKCHECK_INLINE Real unpack_to_lanes(const Numbers& values) const {
     Numbers result{};
     for (int k = 0; k < count; ++k) result.at[lane[k]] = values.at[k];
@@ -38,7 +39,8 @@ struct PackedOscillatorStates {
   }
 };
 
-/// Returns the force of the flights (evaluate_forces()) in the lanes of `wanted`, 0 in other lanes.
+/// Returns the force of free flights (evaluate_forces()) in the SIMD lanes of the mask `wanted`,
+/// and 0 in other SIMD lanes.
 template <class Real, class Mask>
 FPKCHECK_INLINE Real forces_in_lanes(const SimulatedOscillator& oscillator,
                                      const PhaseState<Real>& at, const Mask& wanted) {
@@ -49,7 +51,7 @@ FPKCHECK_INLINE Real forces_in_lanes(const SimulatedOscillator& oscillator,
   return simd::select_or_zero(wanted, simd::load<Real>(force.at));
 }
 
-/// Returns the force F(t) at the times of the lanes.
+/// Returns the external force F(t) at the time t of each SIMD lane.
 template <class Real>
 FPKCHECK_INLINE Real external_force(const SimulatedOscillator& oscillator, const Real& t) {
   typename PackedOscillatorStates<Real>::Numbers times, force;
@@ -58,7 +60,8 @@ FPKCHECK_INLINE Real external_force(const SimulatedOscillator& oscillator, const
   return simd::load<Real>(force.at);
 }
 
-/// State and acceleration at the end of the previous flight, and next trial step, for each lane.
+/// State and acceleration at the end of the previous flight, and the next trial step of the
+/// integration, for each SIMD lane.
 template <class Real>
 struct FlightIntegratorState {
   PhaseState<Real> end{};
@@ -66,11 +69,11 @@ struct FlightIntegratorState {
   Real step = simd::all_lanes_equal_to<Real>(1e300);
 };
 
-/// Flights of an oscillator whose force is a formula: a step of the method of Dormand and Prince of
-/// order 5(4) (J. Comput. Appl. Math. 6, 1980), whose embedded solution of order 4 limits the step.
-/// A flight of duration 0 replaces an inaccurate step, so that no SIMD lane waits for other lanes.
-/// Within a flight the motion is the Hermite polynomial of degree 5 with the position, velocity and
-/// acceleration at the two ends.
+/// Free flight of an oscillator whose force is a formula: a step of the method of Dormand and
+/// Prince of order 5(4) (J. Comput. Appl. Math. 6, 1980), whose embedded solution of order 4 limits
+/// the integration step. A flight of duration 0 replaces an inaccurate integration step, so that no
+/// SIMD lane waits for other lanes. The motion in a FormulaFlight is the Hermite polynomial of
+/// degree 5 with the position, velocity and acceleration at the two ends.
 template <class Real>
 class FormulaFlight : public FreeFlight<Real, 6> {
   using Base = FreeFlight<Real, 6>;
@@ -79,11 +82,11 @@ class FormulaFlight : public FreeFlight<Real, 6> {
 
  public:
   /// @param oscillator must outlive the flight
-  /// @param time time of the start, used with SimulatedOscillator::external_force
-  /// @param phase longest step in radians of the mean frequency; the tolerance is proportional to
-  /// phase^5, so that all steps are proportional to `phase`
-  /// @param until_event limit of the step
-  /// @param moving lanes to integrate; the mass stays at its initial state in other lanes
+  /// @param time start time of the flight, used with SimulatedOscillator::external_force
+  /// @param phase longest integration step in radians of the mean frequency; the error tolerance is
+  /// proportional to phase^5, so that all integration steps are proportional to `phase`
+  /// @param until_event upper limit of the integration step
+  /// @param moving SIMD lanes to integrate; in other SIMD lanes the mass stays at its initial state
   template <class Mask>
   FPKCHECK_INLINE FormulaFlight(const SimulatedOscillator& oscillator,
                                 const PhaseState<Real>& start, const Real& time, double phase,
@@ -112,8 +115,8 @@ class FormulaFlight : public FreeFlight<Real, 6> {
     // If the force at the start of an integration step is not finite, a shorter step does not help.
     const Mask rejected = moving & (known_error > 1.0) & (step_ > shortest) & (first == first);
     const Mask accepted = moving & (rejected == none);
-    // The trial step does not decrease after a step that an event has shortened, and after a start
-    // at which the force is not finite.
+    // The next trial step does not decrease after an integration step that an event has shortened,
+    // and after an initial state at which the force is not finite.
     const Mask keeps = (step_ == until_event) | (first != first);
     const Real after = simd::select(keeps, simd::lanewise_max(next, trial), next);
     integrator.step =
@@ -130,30 +133,31 @@ class FormulaFlight : public FreeFlight<Real, 6> {
   /// Returns the duration of the integration step that the constructor has chosen.
   FPKCHECK_INLINE Real max_flight_duration(double /*phase*/) const { return step_; }
 
-  /// Returns the state at the time s. At the end of the step the result has no rounding errors of
-  /// the polynomial.
+  /// Returns the state (y, v) at the time s of a FormulaFlight. At the end of the flight the
+  /// returned state has no rounding errors of the Hermite polynomial.
   FPKCHECK_INLINE PhaseState<Real> state_at_time(const Real& s) const {
     const PhaseState<Real> at = Base::state_at_time(s);
     return {simd::select(s == step_, end_.y, at.y), simd::select(s == step_, end_.v, at.v)};
   }
 
  private:
-  // Default of SimulationOptions::step in radians, to which the following constants of the step
-  // control refer
+  // Default of SimulationOptions::step in radians, for which the constants of the step-size control
+  // are chosen
   static constexpr double kReferencePhase = 0.9;
   // Tolerances of the relative error of an integration step. A kink of the force lowers the order
-  // of the method. If the step is halved, E[y^2] changes by less than 1e-5 of its value for smooth
-  // and stiff forces and for kinks (test Formula.MomentsDoNotDependOnTheStep).
+  // of the Runge-Kutta method. If SimulationOptions::step is halved, E[y^2] changes by less than
+  // 1e-5 of its value for smooth and stiff forces and for kinks (test
+  // Formula.MomentsDoNotDependOnTheStep).
   static constexpr double kTolerance = 1e-6, kToleranceAtKinks = 3e-8;
   static constexpr double kLongestStep = 0.6;
-  // Shortest integration steps relative to the longest step. At a jump of the force the error
-  // estimate would demand ever shorter steps while the velocity stays at the jump.
+  // Shortest integration steps relative to the longest step. At a jump of the force in v the error
+  // estimate would demand ever shorter integration steps while the velocity stays at the jump.
   static constexpr double kShortest = 1e-9, kShortestAtJumps = 1.0 / 256;
   static constexpr double kSafety = 0.9, kLeastFactor = 0.2, kLargestFactor = 5;
 
-  /// Returns the factor by which the integration step changes after an error, given as a multiple
-  /// of the tolerance: 0.9 error^(-3/16), within limits. Square roots give this power; the usual
-  /// power -1/5 needs a logarithm and an exponential.
+  /// Returns the factor 0.9 error^(-3/16), within limits, by which the integration step changes,
+  /// where the error is a multiple of the tolerance. The power -3/16 needs only square roots,
+  /// whereas the usual power -1/5 needs a logarithm and an exponential.
   FPKCHECK_INLINE static Real error_controlled_step_factor(const Real& error) {
     const Real root = simd::square_root(simd::square_root(simd::square_root(error + 1e-100)));
     const Real factor = kSafety / (root * simd::square_root(root));
@@ -184,14 +188,14 @@ class FormulaFlight : public FreeFlight<Real, 6> {
   }
 
   /// Takes one integration step in the SIMD lanes of `moving`.
-  /// @param first acceleration at the start
-  /// @return the error estimate of the step relative to the extent of the motion
+  /// @param first acceleration at the start of the integration step
+  /// @return the error estimate of the integration step relative to the extent of the motion
   template <class Mask>
   FPKCHECK_INLINE Real take_step(const Real& first, const Mask& moving) {
     using namespace dormand_prince;
     const Real h = step_, y = a_[0], v = a_[1];
-    // The velocity at a stage is v + h u. Sums of the increments u, instead of the velocities v + h
-    // u, avoid rounding errors of v.
+    // The velocity at a Runge-Kutta stage is v + h u with the step h. Sums of the increments u,
+    // instead of the velocities v + h u, avoid rounding errors of v.
     Real k[kStages] = {first}, u[kStages]{};
     Real moved{};
     PhaseState<Real> end{};
@@ -210,8 +214,9 @@ class FormulaFlight : public FreeFlight<Real, 6> {
       y_error = y_error + kError[j] * u[j];
       v_error = v_error + kError[j] * k[j];
     }
-    // Differences between the state at the end of the step and the parabola through the start,
-    // divided by h^2 and by h, with the step h.
+    // Differences between the state at the end of the integration step h and the Taylor polynomial
+    // of degree 2 at the start of the step, divided by h^2 for the position and by h for the
+    // velocity.
     const Real p = moved - 0.5 * first, q = u[kStages - 1] - first, r = k[kStages - 1] - first;
     const Real over = 1.0 / h;
     const auto set_in_moving_lanes = [&](Real & to, const Real& from)

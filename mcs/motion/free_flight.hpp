@@ -2,11 +2,11 @@
 
 #include "mcs/motion/taylor_flight.hpp"
 
-// This file is compiled for several instruction sets.
+// free_flight.hpp is compiled for several instruction sets.
 namespace fpkcheck::mcs {
 namespace {
 
-/// Flights in which the velocity changes sign at most once, between walls at any positions.
+/// Free flight in which the velocity changes sign at most once, between walls at any positions.
 template <class Real, int kOrder>
 class FreeFlight : public TaylorFlight<Real, kOrder> {
   using Base = TaylorFlight<Real, kOrder>;
@@ -22,8 +22,9 @@ class FreeFlight : public TaylorFlight<Real, kOrder> {
     for (int n = 1; n <= kOrder; ++n) a_[n] = simd::select(in_contact, Real{}, a_[n]);
   }
 
-  /// Returns the zero of v in [0, end], in the lanes where v(0) and v(end) have different signs.
-  /// The relative error 1e-6 of the turning time causes an error of 1e-12 in y.
+  /// Returns the turning time in [0, end], the zero of the velocity, in the SIMD lanes where v(0)
+  /// and v(end) have different signs. The relative error 1e-6 of the turning time causes an error
+  /// of 1e-12 in the displacement.
   template <class Mask>
   FPKCHECK_INLINE Real turning_time(const Real& end, const PhaseState<Real>& at_end,
                                     const Mask& wanted) const {
@@ -38,9 +39,9 @@ class FreeFlight : public TaylorFlight<Real, kOrder> {
         [](const Real& s) __attribute__((always_inline)) { return 1e-4 * s; });
   }
 
-  /// Returns the zero of y(s) - wall in [low, high], to rounding, in the lanes of `wanted`, where
-  /// `inside` * (y - wall) changes from positive to negative.
-  /// @param guess first approximation within [low, high]
+  /// Returns the impact time in [low, high], the zero of y(s) - wall up to rounding, in the SIMD
+  /// lanes of the mask `wanted`, where `inside` * (y - wall) changes from positive to negative.
+  /// @param guess first approximation of the impact time, within [low, high]
   template <class Mask>
   FPKCHECK_INLINE Real impact_time(const Real& wall, const Real& inside, const Real& low,
                                    const Real& high, const Real& guess, const Mask& wanted) const {
@@ -51,8 +52,8 @@ class FreeFlight : public TaylorFlight<Real, kOrder> {
       return s - distance * speed /
                      (speed * speed - 0.5 * (distance * (inside * polynomial_acceleration(s))));
     };
-    // After a correction of relative size 1e-6 by Halley's third-order method, the remaining error
-    // is rounding.
+    // After a correction of relative size 1e-6 by Halley's third-order method, the impact time is
+    // exact up to rounding.
     return find_bracketed_zero(
         low, high, guess, wanted, halley,
         [](const Real& s) __attribute__((always_inline)) { return 1e-6 * s; });

@@ -5,11 +5,11 @@
 #include "mcs/motion/free_flight.hpp"
 #include "numerics/simd/elementary_functions.hpp"
 
-// This file is compiled for several instruction sets.
+// polynomial_flight.hpp is compiled for several instruction sets.
 namespace fpkcheck::mcs {
 namespace {
 
-/// Returns the slope g'(y) of the restoring force.
+/// Returns the slope g'(y) of the restoring force g(y).
 template <class Real>
 FPKCHECK_INLINE Real tangent_stiffness(const SimulatedOscillator& o, const Real& y) {
   Real sum = simd::all_lanes_equal_to<Real>(5 * o.force[5]);
@@ -17,7 +17,7 @@ FPKCHECK_INLINE Real tangent_stiffness(const SimulatedOscillator& o, const Real&
   return sum;
 }
 
-/// Returns coefficient n of the product of two power series, [a b]_n.
+/// Returns the coefficient [a b]_n of the product of two power series a and b.
 template <class A, class B>
 FPKCHECK_INLINE auto cauchy_product(const A& a, const B& b, int n) {
   auto sum = a[0] * b[n];
@@ -26,12 +26,13 @@ FPKCHECK_INLINE auto cauchy_product(const A& a, const B& b, int n) {
   return sum;
 }
 
-/// Computes a_2, a_3, .. from a_0 and a_1 by the recursion
+/// Computes the Taylor coefficients a_2, a_3, .. of y(s) from a_0 and a_1 by the recursion
 ///
 ///     (n+1)(n+2) a_{n+2} = -([g(y)]_n + (n+1) [C(y)]_{n+1} + c_vv [v^3]_n),    C' = c.
 ///
 /// Cauchy products give the Taylor coefficients of powers of y and v. The Taylor coefficients of
-/// the damping force c(y) v follow from c(y) v = dC(y)/ds, with the integral C of c.
+/// the damping force c(y) v follow from c(y) v = dC(y)/ds, where C(y) is the integral of the
+/// damping coefficient c(y).
 template <SimulatedOscillator::Kind kKind, int kOrder, class Real>
 FPKCHECK_INLINE void compute_taylor_coefficients_inline(const SimulatedOscillator& o,
                                                         std::array<Real, kOrder + 1>& a) {
@@ -89,8 +90,8 @@ FPKCHECK_INLINE void compute_taylor_coefficients(const SimulatedOscillator& o,
   }
 }
 
-/// Flights of an oscillator of any SimulatedOscillator::Kind except `formula`, as Taylor
-/// polynomials.
+/// Free flight of an oscillator of any SimulatedOscillator::Kind except `formula`, as a Taylor
+/// polynomial.
 template <class Real, int kOrder>
 class PolynomialFlight : public FreeFlight<Real, kOrder> {
   using Base = FreeFlight<Real, kOrder>;
@@ -105,13 +106,14 @@ class PolynomialFlight : public FreeFlight<Real, kOrder> {
     compute_taylor_coefficients<kOrder, Real>(oscillator, a_);
   }
 
-  /// Returns the longest time for which the polynomial is used: `phase` radians of a frequency w.
-  /// The frequency w satisfies |d^n y/ds^n| <= A w^n for the last coefficients, with the extent A
-  /// of the motion, and w^2 is at least the tangent stiffness. The initial energy gives no bound of
-  /// the frequency w, since the energy may grow.
+  /// Returns the longest duration of a PolynomialFlight: `phase` radians of a frequency w. The
+  /// frequency w satisfies |d^n y/ds^n| <= A w^n for the last Taylor coefficients, with the extent
+  /// A of the motion, and w^2 is at least the tangent stiffness. The initial energy of a
+  /// PolynomialFlight gives no bound of the frequency, since the energy may grow.
   ///
-  /// The velocity of a flight satisfies a linear equation with the coefficient g'(y). Within less
-  /// than half a period (phase < pi) the velocity changes sign at most once (Sturm).
+  /// The velocity of a PolynomialFlight satisfies a linear equation with the coefficient g'(y). By
+  /// Sturm's theorem, the velocity changes sign at most once within less than half a period (phase
+  /// < pi).
   FPKCHECK_INLINE Real max_flight_duration(double phase) const {
     const Real extent = oscillator_.length + simd::lanewise_max(a_[0], -a_[0]);
     const Real over = 1.0 / extent;
@@ -140,8 +142,8 @@ class PolynomialFlight : public FreeFlight<Real, kOrder> {
   }
 
  private:
-  // The bound of the frequency must test six orders of coefficients: for y'' = -y^5 and y(0) = 0
-  // only every sixth coefficient differs from 0.
+  // The frequency bound must use Taylor coefficients of six successive orders: for y'' = -y^5 and
+  // y(0) = 0 only every sixth Taylor coefficient differs from 0.
   static constexpr int kTaylorOrdersInStepEstimate = 6;
 };
 

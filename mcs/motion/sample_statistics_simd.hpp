@@ -4,8 +4,8 @@
 #include "mcs/streams/trajectory_stream.hpp"
 #include "numerics/simd/simd.hpp"
 
-// This file adds samples in SIMD lanes to moments and histograms, and is compiled for several
-// instruction sets.
+// sample_statistics_simd.hpp adds samples in SIMD lanes to moments and histograms, and is compiled
+// for several instruction sets.
 namespace fpkcheck::mcs {
 namespace {
 
@@ -15,8 +15,8 @@ struct alignas(64) SimdLaneArray {
 };
 
 /// Returns the position of x among evenly spaced edges, in bin widths; the integer part of the
-/// position is the index of the bin. If x is a bin edge up to rounding, the index may be that of
-/// either neighbouring bin.
+/// position is the index of the bin. For a number x within rounding of a bin edge, the bin index
+/// may be the index of either neighbouring bin.
 template <class Real>
 FPKCHECK_INLINE Real bin_position(const BinFinder& bins, const Real& x) {
   return simd::lanewise_min(
@@ -24,8 +24,8 @@ FPKCHECK_INLINE Real bin_position(const BinFinder& bins, const Real& x) {
       simd::all_lanes_equal_to<Real>(static_cast<double>(bins.bin_count() + 1)));
 }
 
-/// Adds the monomials y^p v^q of a state, with the exponents kRecordedMomentPowers and a weight, to
-/// `powers`.
+/// Adds the weighted monomials y^p v^q of a state (y, v), with the exponents kRecordedMomentPowers,
+/// to `powers`.
 template <class Real>
 FPKCHECK_INLINE void add_weighted_monomials(const PhaseState<Real>& at, const Real& sample_weight,
                                             Real (&powers)[kRecordedMomentPowers.size()]) {
@@ -39,7 +39,7 @@ FPKCHECK_INLINE void add_weighted_monomials(const PhaseState<Real>& at, const Re
   }
 }
 
-/// Adds weights to the histograms of the trajectory streams.
+/// Adds the sample weights of the SIMD lanes to the histograms of the trajectory streams.
 /// @param y positions between the walls
 /// @param cells cells of the histogram of each trajectory stream
 template <int W, class Real>
@@ -50,8 +50,9 @@ FPKCHECK_INLINE void add_lane_samples_to_histograms(const BinFinder& y_bins,
                                                     double* const (&cells)[W]) {
   if (y_bins.has_evenly_spaced_bins() && v_bins.has_evenly_spaced_bins()) {
     const auto row = simd::truncate_to_index(bin_position(y_bins, y));
-    // The sign of v selects the bin next to the edge at 0, even within rounding of this edge. Near
-    // rest the density has a spike at v = 0, and each of the two bins contains half of the spike.
+    // The sign of v selects the bin next to the bin edge v = 0, even for v = 0 up to rounding. Near
+    // rest the density has a spike at v = 0, and each of the two bins at v = 0 contains half of the
+    // spike.
     const Real bin_edge_epsilon = simd::all_lanes_equal_to<Real>(v_bins.bin_edge_epsilon());
     const Real off_zero = simd::select(v < 0.0, simd::lanewise_min(v, -bin_edge_epsilon),
                                        simd::lanewise_max(v, bin_edge_epsilon));

@@ -3,18 +3,18 @@
 #include "mcs/motion/advance_trajectories.hpp"
 #include "numerics/simd/elementary_functions.hpp"
 
-// This file applies impulses and noise kicks to single streams, and is compiled for several
-// instruction sets.
+// scalar_events.hpp applies impulses and noise kicks to single trajectory streams, and is compiled
+// for several instruction sets.
 namespace fpkcheck::mcs {
 namespace {
 
-/// Returns the weight of the current branch; 1 without splitting.
+/// Returns the statistical weight of the current trajectory branch; 1 without importance splitting.
 inline double branch_statistical_weight(const StreamMotionParameters& motion,
                                         const TrajectoryStream& stream) {
   return motion.splitting ? motion.splitting->branch_statistical_weight(stream.branch) : 1.0;
 }
 
-/// Counts a maximum or minimum of y if the velocity changes sign in a jump from `v_before` to
+/// Counts a maximum or minimum of y if the velocity changes its sign in a jump from `v_before` to
 /// `v_after`.
 inline void count_turning_point(const StreamMotionParameters& motion, TrajectoryStream& stream,
                                 double v_before, double v_after) {
@@ -26,8 +26,8 @@ inline void count_turning_point(const StreamMotionParameters& motion, Trajectory
     stream.record.troughs[(*motion.y_bins)(y)] += event_weight;
 }
 
-/// Appends the present state of a stream to TrajectoryStream::states, if
-/// StreamMotionParameters::keeps_states.
+/// Appends the present oscillator state of a stream to TrajectoryStream::states, if
+/// StreamMotionParameters::keeps_states is true.
 inline void record_trajectory_state(const StreamMotionParameters& motion, TrajectoryStream& stream,
                                     RecordedState::Event event, double kick_variance = 0) {
   if (!motion.keeps_states) return;
@@ -64,8 +64,8 @@ inline void apply_impulse(const StreamMotionParameters& motion, TrajectoryStream
   if (motion.splitting) motion.splitting->split_or_end_branch_by_energy(stream);
 }
 
-/// Applies the Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W for half of the interval before
-/// the kick plus half of the interval after the kick.
+/// Applies the Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W for half of the interval before a
+/// noise kick plus half of the interval after the noise kick.
 inline void apply_noise_kick(const StreamMotionParameters& motion, TrajectoryStream& stream) {
   TrajectoryBranch& b = stream.branch;
   const NoiseKicks& kicks = motion.kicks;
@@ -74,8 +74,8 @@ inline void apply_noise_kick(const StreamMotionParameters& motion, TrajectoryStr
   const double time = (b.kick_interval + next) / 2;
   const double x = kicks.damping * time;
   const double decay = simd::exponential(simd::lanewise_max(simd::lanewise_min(-x, 300.0), -300.0));
-  // (1 - exp(-2x)) / (2x), computed by a series at small x, where the difference 1 - exp(-2x) would
-  // lose digits
+  // The quotient (1 - exp(-2x)) / (2x) is computed by a series at small x, where the difference 1 -
+  // exp(-2x) would lose digits.
   const double mean_decay =
       x < 1e-3 && x > -1e-3 ? 1 - x * (1 - 2 * x / 3) : (1 - decay * decay) / (2 * x);
   const double variance = 2 * diffusion * time * mean_decay;
@@ -87,7 +87,7 @@ inline void apply_noise_kick(const StreamMotionParameters& motion, TrajectoryStr
   b.time_to_rest = -1;
   count_turning_point(motion, stream, before, b.v);
   if (motion.records) {
-    // The recorded work of a kick has the expectation 0 for any motion.
+    // The recorded work of a noise kick has the expectation 0 for any motion.
     stream.record.work += damped * kick + (kick * kick - variance) / 2;
   }
   b.time_to_kick = next;

@@ -16,8 +16,8 @@ struct PhaseState {
 using OscillatorState = PhaseState<double>;
 
 /// Motion of an oscillator between two events, as a Taylor polynomial in time, y(s) = sum_n a_n
-/// s^n, expanded at the initial state. A derived class computes a_2, a_3, .. from its equation of
-/// motion, and limits the time for which the polynomial is used.
+/// s^n, expanded at the initial state. Classes derived from TaylorFlight compute a_2, a_3, .. from
+/// an equation of motion, and limit the duration of the flight.
 template <class Real, int kHighestOrder>
 class TaylorFlight {
  public:
@@ -25,7 +25,8 @@ class TaylorFlight {
   static_assert(kOrder % 2 == 0);
 
   /// Returns the state (y, v) at the time s after the start of the flight. Horner's rule in s^2,
-  /// applied to even and odd powers separately, halves the chain of dependent operations.
+  /// applied to even and odd powers of the time s separately, halves the chain of dependent
+  /// operations.
   FPKCHECK_INLINE PhaseState<Real> state_at_time(const Real& s) const {
     const Real s2 = s * s;
     Real y_even = a_[kOrder], v_odd = double{kOrder} * a_[kOrder];
@@ -63,13 +64,13 @@ class TaylorFlight {
 // `iterate` and `tolerance` must be always_inline, since files that are compiled for different
 // instruction sets call find_bracketed_zero().
 
-/// Returns the zero of a function in the bracket [low, high], in the lanes of `open`. An iteration
-/// of higher order is replaced by bisection if the iteration leaves the bracket. Lanes outside
-/// `open` return a finite number.
-/// @param s first approximation, within the bracket
-/// @param iterate maps s to the mask of the lanes whose zero is after s, and to the next
+/// Returns the zero of a function in the bracket [low, high], in the SIMD lanes of the mask `open`.
+/// An iteration of higher order is replaced by bisection if the iteration leaves the bracket. SIMD
+/// lanes outside the mask `open` return a finite number.
+/// @param s first approximation of the zero, within the bracket
+/// @param iterate maps s to the mask of the SIMD lanes whose zero is after s, and to the next
 /// approximation
-/// @param tolerance maps s to the correction below which a lane has converged
+/// @param tolerance maps s to the correction below which a SIMD lane has converged
 template <class Real, class Mask, class Iterate, class Tolerance>
 FPKCHECK_INLINE Real find_bracketed_zero(Real low, Real high, Real s, Mask open,
                                          const Iterate& iterate, const Tolerance& tolerance) {
