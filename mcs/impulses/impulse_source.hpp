@@ -12,7 +12,7 @@ struct ImpulseBlock {
   std::array<double, kImpulsesPerBlock> waiting_time{}, amplitude{};
 };
 
-// One source file with make_impulse_block() is compiled for three instruction sets.
+// The source code of make_impulse_block() is compiled for three instruction sets.
 namespace baseline {
 ImpulseBlock make_impulse_block(const ImpulseProcess& excitation,
                                 const UniformRandomNumbers& uniforms);
@@ -32,8 +32,7 @@ struct Impulse {
   double amplitude;
 };
 
-/// Generator of the impulses of one trajectory stream; impulse n is a function of (seed, stream, n)
-/// alone.
+/// Generator of the impulses of one trajectory stream; impulse n depends only on (seed, stream, n).
 class ImpulseSource {
  public:
   ImpulseSource(const ImpulseProcess& excitation, std::uint64_t seed, std::uint32_t stream,

@@ -15,10 +15,10 @@ struct UniformLaw;
 namespace fpkcheck::mcs {
 
 /// Draws an amplitude of the law with mean 0 and width_parameter() 1 from two independent uniform
-/// numbers u and w of (0, 1); u has more random digits than w. The specialisation for each law of
-/// problem::ImpulseLaw contains a formula or derives from AmplitudeByQuantileFunction. This header
-/// only declares the types of the amplitude laws, since the headers of the laws must not be
-/// compiled for several instruction sets.
+/// numbers u and w of (0, 1); u has more random digits than w. The specialisation of
+/// StandardAmplitude for each law of problem::ImpulseLaw contains a formula or derives from
+/// AmplitudeByQuantileFunction. standard_amplitude.hpp only declares the types of the amplitude
+/// laws, since the headers of the amplitude laws must not be compiled for several instruction sets.
 template <class Law>
 struct StandardAmplitude;
 

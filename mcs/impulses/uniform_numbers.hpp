@@ -5,11 +5,12 @@
 
 namespace fpkcheck::mcs {
 
-/// Purpose of random numbers; different purposes use different counters of the generator.
+/// Purpose of random numbers; different purposes use different counters of the random number
+/// generator.
 enum class RandomNumberPurpose : std::uint32_t { impulses, start, noise };
 
-/// Returns 128 random bits as a function of (seed, stream, purpose, number). The generator is
-/// Philox4x32-10, which is counter-based (Salmon et al., SC 2011, Random123).
+/// Returns 128 random bits as a function of (seed, stream, purpose, number), by the counter-based
+/// generator Philox4x32-10 (Salmon et al., SC 2011, Random123).
 std::array<std::uint32_t, 4> random_bits(std::uint64_t seed, std::uint32_t stream,
                                          RandomNumberPurpose purpose, std::uint64_t number);
 

@@ -11,7 +11,7 @@ namespace fpkcheck::mcs {
 /// @param name name of the edges in the error message
 void require_increasing_edges(const std::string& name, const std::vector<double>& edges);
 
-/// Finds the bin that contains a number; the bins may have different widths.
+/// Search for the bin that contains a number, among bins that may have different widths.
 class BinFinder {
  public:
   /// @param edges n + 1 increasing numbers, n >= 1
@@ -37,8 +37,8 @@ class BinFinder {
   const std::vector<double>& edges() const { return edges_; }
 
  private:
-  /// Returns the approximate index of the search cell that contains x; search cells are half as
-  /// wide as the mean bin. The result for NaN is 0.
+  /// Returns the approximate index of the search cell that contains x, and 0 for NaN; search cells
+  /// are half as wide as the mean bin.
   double histogram_cell_position(double x) const {
     const double from_first = (x - first_edge_) * 2 * bins_per_length_;
     return from_first > 0 ? std::min(from_first, last_cell_) : 0;
@@ -56,7 +56,7 @@ class BinFinder {
 };
 
 /// Histogram of weighted samples of (y, y'), row-major, shape (ny + 2, nv + 2). The first and last
-/// rows and columns of the histogram hold the samples outside all bins.
+/// rows and columns of the histogram hold the samples outside the ranges of the bins.
 class JointHistogram {
  public:
   JointHistogram(const BinFinder& y, const BinFinder& v)
@@ -72,7 +72,8 @@ class JointHistogram {
   std::size_t rows() const { return weights_.size() / columns_; }
   std::size_t columns() const { return columns_; }
 
-  /// Row sums are sums over y', shape (ny + 2); column sums are sums over y, shape (nv + 2).
+  /// Row sums of the histogram are sums over y', shape (ny + 2); column sums are sums over y, shape
+  /// (nv + 2).
   std::vector<double> row_sums() const;
   std::vector<double> column_sums() const;
 

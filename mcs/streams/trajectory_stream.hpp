@@ -30,44 +30,46 @@ inline constexpr std::array<std::pair<int, int>, 14> kRecordedMomentPowers{{{1, 
                                                                             {1, 3},
                                                                             {0, 4}}};
 
-/// Statistics of one trajectory stream: sums over samples and events, weighted with the branch
-/// weight (1 without splitting).
+/// Statistics of one trajectory stream: sums over samples and events, weighted with the weight of
+/// the branch (1 without importance splitting).
 struct TrajectoryStreamStatistics {
   JointHistogram histogram;
   std::vector<double> peaks;  ///< weights of the maxima of y in each bin of y, outer bins included
   /// Weights of the minima of y without wall contact in each bin of y, outer bins included
   std::vector<double> troughs;
   std::array<double, kRecordedMomentPowers.size()> powers{};
-  /// Sums of y^5 and y^6 over samples; 0 with DuffingFlights, whose balances do not need these sums
+  /// Sums of y^5 and y^6 over samples; 0 with DuffingFlights, for which no balance equation
+  /// contains E[y^5] or E[y^6]
   double y5 = 0, y6 = 0;
   /// Sums of f, y f and y' f over samples for SimulatedOscillator::Kind::formula, with the force f
-  /// of Ito's sense; otherwise 0
+  /// of the equation in Ito's sense; 0 for other kinds
   double force = 0, force_y = 0, force_v = 0;
   double noise_factor = 0;  ///< sum of G = g^2 over samples with multiplicative noise; otherwise 0
   double impulse_factor = 0;  ///< sum of b^2 over samples with parametric impulses; otherwise 0
   double samples = 0;
   double rest_left = 0;  ///< weight of samples at rest on the left wall, which the histogram omits
-  /// Weight of samples at rest on the right wall, which the histogram omits
+  /// Sum of the weights of samples at rest on the right wall, which the histogram omits
   double rest_right = 0;
   double impacts = 0;  ///< number of impacts, summed over the left and the right wall
-  /// Sum of the changes of the momentum, (1 + r) |v|, over impacts on the left wall; for a constant
-  /// r the sum is divided by 1 + r
+  /// Sum of the momentum changes (1 + r) |v| over impacts on the left wall; for a constant
+  /// restitution coefficient r the sum is divided by 1 + r
   double left_momentum = 0;
-  /// Sum of the lost energies, (1 - r^2) v^2 / 2, over impacts on the left wall; for a constant r
-  /// the sum is divided by (1 - r^2) / 2
+  /// Sum of the energy losses (1 - r^2) v^2 / 2 over impacts on the left wall; for a constant
+  /// restitution coefficient r the sum is divided by (1 - r^2) / 2
   double left_wall_squared_impact_speeds = 0;
   double right_momentum = 0;  ///< the same sum as left_momentum, for the right wall
-  /// the same sum as left_wall_squared_impact_speeds, for the right wall
+  /// Sum over impacts on the right wall, defined as left_wall_squared_impact_speeds for the left
+  /// wall
   double right_wall_squared_impact_speeds = 0;
   double work = 0;             ///< work of the impulses, defined as in ImpulseProcess::work
   std::uint64_t impulses = 0;  ///< number of impulses of the main branch
   std::uint64_t branch_impulses = 0;
   std::uint64_t flights = 0;
   /// Histogram of the energies right after impulses, in ImportanceSplitting::energy_bins(); empty
-  /// without splitting
+  /// without importance splitting
   std::vector<double> energies{};
-  /// Sums for the control variates, on the splines of SimulationOptions::deposit; empty without
-  /// control variates
+  /// Sums of spline values for the control variates, on the grid SimulationOptions::deposit; empty
+  /// without control variates
   DepositedSampleSums deposit{};
 
   TrajectoryStreamStatistics(const BinFinder& y, const BinFinder& v)
@@ -96,7 +98,8 @@ void for_each_statistic(Record& record, Visit visit_statistic) {
   if (!record.deposit.flow.empty()) for_each_deposited_sum(record.deposit, visit_statistic);
 }
 
-/// State of a branch of the trajectory, and the times until the next events of the branch.
+/// State of a branch of the trajectory, and the times until the next events of the trajectory
+/// branch.
 struct TrajectoryBranch {
   double y;
   double v;
@@ -107,12 +110,12 @@ struct TrajectoryBranch {
   /// Time until the next kick of the Gaussian noise; infinite without noise
   double time_to_kick = std::numeric_limits<double>::infinity();
   double kick_interval = 0;  ///< kick interval that ends with the next kick
-  /// Time until the bounces on a wall end; 0 at rest in contact; -1 during free motion
+  /// Time until the series of bounces on a wall ends; 0 at rest in contact; -1 during free motion
   double time_to_rest = -1;
   int energy_level = 0;  ///< number of splitting thresholds below the energy of the branch
   int floor_level = 0;   ///< level of the energy below which the branch ends
-  /// Bit set of the energy thresholds at which the trajectory was split: bit i stands for threshold
-  /// i + 1 (ImportanceSplitting).
+  /// Bit set of the energy thresholds at which the trajectory branch was split: bit i stands for
+  /// threshold i + 1 (ImportanceSplitting).
   std::uint64_t split = 0;
 };
 
@@ -120,13 +123,13 @@ struct TrajectoryBranch {
 /// state.
 struct PendingTrajectoryBranch {
   TrajectoryBranch branch;
-  /// Number of pending branches that each draw a new impulse; 0 for one branch with a stored
+  /// Number of pending branches that each draw a new impulse; 0 for a single branch with a stored
   /// impulse
   int copies = 0;
   bool at_impulse = false;  ///< whether each copy also draws the time of its next impulse
 };
 
-/// A state of a stream at a sample, or at an impulse or noise kick.
+/// Oscillator state of a trajectory stream at a sample, an impulse or a noise kick.
 struct RecordedState {
   enum class Event { sample, before_impulse, after_impulse, after_kick };
   double time_to_end;  ///< time until the end of the round
@@ -139,12 +142,12 @@ struct TrajectoryStream {
   TrajectoryBranch branch;
   ImpulseSource source;
   TrajectoryStreamStatistics record;
-  /// Pending branches, with the main branch first
+  /// Pending branches of the trajectory stream, with the main branch first
   std::vector<PendingTrajectoryBranch> pending_branches{};
   NoiseSource noise{0, 0};
   /// Samples of y in the order of time, if StreamMotionParameters::records_displacement_series
   std::vector<double> series{};
-  /// States in the order of time, if StreamMotionParameters::keeps_states
+  /// Oscillator states in the order of time, if StreamMotionParameters::keeps_states
   std::vector<RecordedState> states{};
 
   bool is_on_main_branch() const { return pending_branches.empty(); }
