@@ -10,7 +10,7 @@ namespace fpkcheck::problem {
 
 /// A tabulated law of impulse amplitudes: either probabilities of discrete amplitudes, or values of
 /// a density that is linear between neighbouring amplitudes and 0 outside the table. The amplitudes
-/// increase; the probabilities have the sum 1, or the density has the integral 1.
+/// of the table increase; the probabilities have the sum 1, or the density has the integral 1.
 struct AmplitudeTable {
   enum class WeightType { probability, density };
 
@@ -21,19 +21,21 @@ struct AmplitudeTable {
   double amplitude_mean() const;
   /// Returns the variance of the amplitude Y.
   double amplitude_variance() const;
-  /// Returns the amplitude table of the law of -Y, where Y has the law of this table.
+  /// Returns the amplitude table of the law of -Y, where the amplitude Y has the present table.
   AmplitudeTable with_negated_amplitudes() const;
 };
 
 inline constexpr std::size_t kMaxTableRows = 1000;
 /// Largest accepted deviation from 1 of the sum of the probabilities, or of the integral of the
-/// density. A table with an accepted deviation is normalised to the sum or integral 1.
+/// density, of an amplitude table. A table with an accepted deviation is normalised to the sum or
+/// integral 1.
 inline constexpr double kTableSumTolerance = 1e-3;
 
 /// Parses a table of amplitudes from CSV text with the columns amplitude,probability or
 /// amplitude,density.
-/// @param file_name name of the file in messages
-/// @throws InputError "FILE_NAME:LINE: .." that states the error and the allowed contents
+/// @param file_name name of the CSV file in error messages
+/// @throws InputError "FILE_NAME:LINE: .." that states the error and the allowed contents of the
+/// table
 AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& file_name);
 
 /// Returns the table literal of an amplitude table, that is, the text of the table as one word of a
@@ -51,7 +53,8 @@ AmplitudeTable parse_amplitude_table_literal(std::string_view text);
 std::string amplitude_table_summary(std::string_view table_text);
 
 /// Converts the value of `impulse.table` in a case file, a table literal or the name of a CSV file,
-/// to a table literal. With the table literal, the problem does not depend on the CSV file.
+/// to a table literal. With a table literal instead of the CSV file, the problem does not depend on
+/// the CSV file.
 /// @param folder directory to which relative file names refer; an empty path is the working
 /// directory
 /// @throws InputError with a one-line message if the file cannot be read, is too large or has an

@@ -14,25 +14,26 @@ namespace fpkcheck::problem {
 
 /// Rule that composes the name of a case with overrides.
 enum class CaseNamingRule {
-  /// The name of the case is the name of its file. Sweeps use the rule `from_file`, since sweeps
-  /// display the overrides separately.
+  /// The name of the case is the name of the case file. Sweeps use the rule `from_file`, since
+  /// sweeps display the overridden parameters separately.
   from_file,
   with_overrides,  ///< name of the case file and changed parameters: "case1, r = 0.9"
 };
 
 /// Loads a case by its name ("case1" .. "case4") or by the path of an ini file.
-/// @param overrides "key=value" pairs that replace settings of the file, e.g. "system.cubic=1.0"
+/// @param overrides "key=value" pairs that replace settings of the ini file, e.g.
+/// "system.cubic=1.0"
 /// @param time_section whether the case may contain the section [time]
 /// @throws InputError with a one-line message that states the key, the value, the file and the
-/// allowed values. A file name that cannot be printed is an error, since the file name becomes the
-/// name of the case.
+/// allowed values. A file name with unprintable characters is an error, since the file name becomes
+/// the name of the case.
 Problem load_case(const std::string& name_or_path, const std::vector<std::string>& overrides = {},
                   CaseNamingRule naming = CaseNamingRule::from_file,
                   CaseFileTimeSectionPolicy time_section = CaseFileTimeSectionPolicy::refused);
 
 /// Reads a case from a stream with the contents of an ini file, by the rules of load_case().
-/// @param source name of the stream in messages; relative file names in the case refer to its
-/// folder
+/// @param source file name of the stream in messages; relative file names in the case refer to the
+/// folder of `source`
 Problem read_case(std::istream& ini, const std::string& name, std::string_view source,
                   const std::vector<std::string>& overrides = {},
                   CaseNamingRule naming = CaseNamingRule::from_file,
@@ -58,13 +59,14 @@ struct BuiltInCase {
   std::string text;  ///< the contents of cases/NAME.ini
 };
 
-/// Returns the four cases of Table 1 of the paper, in the order of the table.
+/// Returns the four cases of Table 1 of the paper, in the order of Table 1.
 const std::vector<BuiltInCase>& paper_cases();
 
 /// Returns the example oscillators, each the simplest oscillator of its type in docs/systems.md.
 const std::vector<BuiltInCase>& example_oscillator_cases();
 
-/// Returns the case of the paper or the example oscillator with this name; null if there is none.
+/// Returns the case of the paper or the example oscillator with the given name; null for an unknown
+/// name.
 const BuiltInCase* find_built_in_case(std::string_view name);
 
 }  // namespace fpkcheck::problem

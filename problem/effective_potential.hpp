@@ -20,29 +20,31 @@ std::vector<double> polynomial_sign_changes_between_walls(const numerics::Polyno
 class EffectivePotential {
  public:
   explicit EffectivePotential(const Problem& problem);
-  /// Constructs the potential U of the spring, without the mean force of impulses.
+  /// Constructs an effective potential that equals the potential U of the spring, without the mean
+  /// force of impulses.
   explicit EffectivePotential(const System& system);
 
   double operator()(double y) const {
     return polynomial_ ? (*polynomial_)(y) : integrate_force_up_to(y);
   }
-  /// Returns the polynomial V; null for a formula.
+  /// Returns the polynomial of the effective potential V; null for a force by a formula.
   const numerics::Polynomial* polynomial_or_null() const {
     return polynomial_ ? &*polynomial_ : nullptr;
   }
-  /// Returns the slope V'(y).
+  /// Returns the slope V'(y) of the effective potential.
   double potential_slope(double y) const {
     return polynomial_ ? slope_polynomial_(y) : system_.force(y, 0) - mean_force_;
   }
-  /// Returns the displacements of the extrema of V between the walls, in increasing order. For a
-  /// formula, the search can miss two extrema whose distance from each other is below 1/8 of their
-  /// distance from y = 0.
+  /// Returns the displacements of the extrema of the potential V between the walls, in increasing
+  /// order. For a force by a formula, the search can miss two extrema whose distance from each
+  /// other is below 1/8 of their distance from y = 0.
   const std::vector<double>& extremum_positions() const { return extrema_; }
-  /// Returns whether V increases without bound towards the left, and towards the right.
+  /// Return whether the effective potential V increases without bound towards the left, and towards
+  /// the right.
   bool is_unbounded_on_left() const { return is_unbounded_on_left_; }
   bool is_unbounded_on_right() const { return is_unbounded_on_right_; }
-  /// Return the ends of an interval that contains all extrema of the potential: the walls, or
-  /// points beyond the extrema.
+  /// Return the ends of an interval that contains all extrema of the effective potential: the
+  /// walls, or points outside the extrema.
   double y_low() const { return low_; }
   double y_high() const { return high_; }
 
@@ -62,8 +64,8 @@ class EffectivePotential {
 
 /// Returns the displacement at which the mass rests without excitation: the left wall, if no force
 /// lifts the mass off the wall, otherwise the lowest minimum of the spring's potential below
-/// `y_limit`. The result is empty if there is no rest displacement, or if the excitation vanishes
-/// at the rest displacement, so that the rest never ends.
+/// `y_limit`. The result is empty if no such displacement exists, or if the excitation vanishes at
+/// the rest displacement, so that the mass would stay at rest.
 std::optional<double> rest_displacement(const Problem& problem, double y_limit);
 
 }  // namespace fpkcheck::problem

@@ -5,15 +5,16 @@
 #include "base/options/enum_names.hpp"
 
 /// The model that a method solves: a density equation and an impact condition. Each solution states
-/// its model, so that a comparison can distinguish solutions of different models.
+/// its density equation and impact condition, so that a comparison can distinguish solutions of
+/// different models.
 namespace fpkcheck::problem {
 
-/// The density equations, which differ in their excitation term.
+/// The density equations of the program, which differ in the excitation term.
 enum class DensityEquation {
   white,  ///< excitation term -lambda E[Y] p' + D2 p'' with D2 = lambda E[Y^2]/2
   km4,    ///< Kramers-Moyal series truncated after the fourth derivative: paper (16), (20)
-  /// Well-posed Pade approximant of the Kramers-Moyal series, from the four coefficients of the
-  /// truncated series `km4`.
+  /// Density equation with a well-posed Pade approximant of the Kramers-Moyal series, from the four
+  /// coefficients of the truncated series `km4`.
   km4_pade,
   kf  ///< excitation term lambda (E[p(x2 - Y)] - p), the full jump integral
 };
@@ -27,7 +28,8 @@ constexpr std::string_view name(DensityEquation equation) { return base::name_of
 
 enum class ImpactCondition {
   map,  ///< exact impact condition p(0+, w) = p(0-, w/r) / r^2 for w > 0
-  /// Impact condition to first order in 1-r, paper (12), with the term (1-r) x2 |x2| delta(x1).
+  /// Impact condition to first order in 1-r, with the restitution coefficient r, paper (12), with
+  /// the term (1-r) x2 |x2| delta(x1).
   delta,
   exact  ///< a simulation reflects each trajectory at the impact, paper (2)
 };

@@ -4,8 +4,8 @@
 
 namespace fpkcheck::problem {
 
-/// Result of equivalent linearisation: a Gaussian density of independent z and z' with mean zero,
-/// under white noise with the intensity of the impulses.
+/// Result of equivalent linearisation: a Gaussian density of the independent variables z and z' of
+/// paper (5) with mean zero, under white noise with the intensity of the impulses.
 struct EquivalentLinearisation {
   double damping;    ///< equivalent damping coefficient c_eq
   double stiffness;  ///< equivalent stiffness k_eq
@@ -15,9 +15,9 @@ struct EquivalentLinearisation {
 };
 
 /// Returns whether the problem is the paper's oscillator, for which equivalent_linearisation() is
-/// defined. In wall coordinates, the paper's oscillator has one wall, at y
-/// = 0 on the left, and the restoring force k y + mu y^3 with k, mu >= 0. The damping force is c y'
-/// with c > 0, and impulses act without white noise.
+/// defined. In wall coordinates, the paper's oscillator has one wall, at y = 0 on the left, and the
+/// restoring force k y + mu y^3 with k, mu >= 0. The damping force of the paper's oscillator is c
+/// y' with c > 0, and impulses act without white noise.
 bool has_equivalent_linearisation(const Problem& problem);
 
 /// Solves the equations of equivalent linearisation, where D2 = lambda E[Y^2] / 2 is the diffusion
@@ -32,20 +32,22 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem);
 ///
 ///     kappa = Re (c_eq - sqrt(c_eq^2 - 4 k_eq)) / 2.
 ///
-/// The decay rate kappa is c_eq/2 below critical damping, and about k_eq/c_eq far above critical
-/// damping.
+/// The decay rate kappa of the linearised oscillator is c_eq/2 below critical damping, and about
+/// k_eq/c_eq far above critical damping.
 double slowest_decay_rate(const EquivalentLinearisation& linearised);
 
 /// Returns the mean number lambda/kappa of impulses in the decay time 1/kappa of the slowest mode
-/// of equivalent linearisation. Between impulses the amplitude of the motion decays like exp(-kappa
-/// t). The probability of an amplitude below a therefore behaves like a^(lambda/kappa) for small a.
-/// The joint density is unbounded at the state of rest if lambda/kappa < 2; the marginal densities
-/// are unbounded if lambda/kappa < 1.
+/// of equivalent linearisation. Between impulses of the rate lambda the amplitude of the motion
+/// decays like exp(-kappa t). Therefore the probability of a motion with an amplitude below a
+/// behaves like a^(lambda/kappa) for small a. With the impulse rate lambda and the decay rate
+/// kappa, the joint density is unbounded at the state of rest if lambda/kappa < 2; the marginal
+/// densities are unbounded if lambda/kappa < 1.
 double impulses_per_decay_time(const Problem& problem);
 
-/// Returns the equilibrium displacement y under the mean force of the impulses. The result is the
-/// root of g(y) = lambda E[Y] if the mean impulse points away from the wall, otherwise 0. The
-/// Gaussian density of EquivalentLinearisation does not include the static deflection.
+/// Returns the equilibrium displacement y under the mean force of the impulses. The static
+/// deflection is the root y of g(y) = lambda E[Y] if the mean impulse points away from the wall,
+/// otherwise 0. The Gaussian density of EquivalentLinearisation does not include the static
+/// deflection.
 double static_deflection(const Problem& problem);
 
 }  // namespace fpkcheck::problem

@@ -15,7 +15,8 @@ struct WhiteNoise {
   std::optional<std::string> factor = {};  ///< formula of g (NoiseFactor); if absent, g = 1
   std::optional<NoiseInterpretation> interpretation = {};  ///< given if g depends on v
 
-  /// Returns the diffusion coefficient D, the coefficient of p'' in the density equation.
+  /// Returns the diffusion coefficient D of the white noise, the coefficient of the second
+  /// derivative of the density in v in the density equation.
   double diffusion() const { return intensity / 2; }
   bool is_acting() const { return intensity > 0; }
 };
@@ -27,12 +28,13 @@ struct ImpulseParameters {
   std::string law;      ///< name of the law of Y, one of ImpulseLaw::law_names()
   double intensity;     ///< intensity lambda E[Y^2] > 0
   double mean;          ///< mean amplitude E[Y], with E[Y]^2 < intensity / arrival_rate
-  /// Skewness of the amplitude Y, for asymmetric laws; if absent, the law has its default skewness.
+  /// Skewness of the impulse amplitude Y, for asymmetric laws; if absent, the law has its default
+  /// skewness.
   std::optional<double> skewness = {};
-  /// Amplitudes of a tabulated law, as a table literal (problem/amplitude_table.hpp).
+  /// Amplitudes of a tabulated amplitude law, as a table literal (problem/amplitude_table.hpp).
   std::optional<std::string> table = {};
-  /// Formula of the factor b(y) of parametric impulses, which change y' by b(y) Y; if absent, b =
-  /// 1.
+  /// Formula of the factor b(y) of parametric impulses, which change the velocity y' by b(y) Y; if
+  /// absent, b = 1.
   std::optional<std::string> factor = {};
 };
 
@@ -57,11 +59,12 @@ class ImpulseTrain {
 
   /// Returns the product lambda E[Y^order], a coefficient of paper (15).
   double rate_times_moment(int order) const { return arrival_rate() * law_.moment(order); }
-  /// Returns lambda E[Y^2], the intensity of Gaussian white noise with the same power as the
-  /// impulses.
+  /// Returns the intensity lambda E[Y^2] of the impulses, equal to the intensity of Gaussian white
+  /// noise with the power of the impulses.
   double intensity() const { return rate_times_moment(2); }
 
-  /// Returns impulses of the same law that arrive `factor` > 0 times as often.
+  /// Returns an impulse train with the same amplitude law and the arrival rate multiplied by
+  /// `factor` > 0.
   ImpulseTrain with_rate_multiplied_by(double factor) const;
   /// Returns the mirrored impulse train, with amplitudes -Y instead of Y.
   ImpulseTrain with_negated_amplitudes() const;

@@ -16,20 +16,22 @@ namespace fpkcheck::problem {
 inline constexpr int kMomentCount = 7;
 
 /// The probability law of the impulse amplitude Y of the Poisson impulse train, paper (3). A new
-/// law needs a header in problem/laws, an alternative of LawVariant, and a sampler in mcs/impulses.
+/// amplitude law needs a header in problem/laws, an alternative of LawVariant, and a sampler in
+/// mcs/impulses.
 class ImpulseLaw {
  public:
   using LawVariant = std::variant<GaussianLaw, LaplaceLaw, TwoPointLaw, UniformLaw, ExponentialLaw,
                                   GammaLaw, TabulatedLaw>;
 
-  /// @throws InputError if the mean is not finite or the width is not a positive number
+  /// @throws InputError if the mean of the law is not finite or the width is not a positive number
   explicit ImpulseLaw(const LawVariant& law);
 
-  /// Returns the names of all laws, as in the key `impulse.law` of a case file.
+  /// Returns the names of all amplitude laws, as in the key `impulse.law` of a case file.
   static std::vector<std::string> law_names();
-  /// Returns the law with this name, mean and standard deviation.
+  /// Returns the amplitude law with the given name, mean and standard deviation.
   /// @throws InputError if the name is unknown (the message lists all names), if the law does not
-  /// have a given shape parameter, if the mean is not finite, or if the width is not positive
+  /// have a given shape parameter, if the mean is not finite, or if the standard deviation is not
+  /// positive
   static ImpulseLaw from_name(std::string_view name, double mean, double deviation,
                               const LawShapeParameters& shape = {});
   /// Returns the law of the negative amplitude -Y.
@@ -46,21 +48,22 @@ class ImpulseLaw {
   double mean() const;
   /// Returns the standard deviation of Y.
   double amplitude_standard_deviation() const;
-  /// Returns the skewness E[(Y - E[Y])^3] / deviation^3.
+  /// Returns the skewness E[(Y - E[Y])^3] / deviation^3 of the amplitude Y.
   double skewness() const;
   /// Returns whether Y - E[Y] and E[Y] - Y have the same law.
   bool is_symmetric() const;
 
-  /// Returns the probability density of Y at an amplitude; 0 for a law that consists of atoms.
+  /// Returns the probability density of the impulse amplitude Y; 0 for a law that consists of
+  /// atoms.
   double density(double amplitude) const;
   /// Returns the probability P(Y <= amplitude).
   double cumulative_probability(double amplitude) const;
-  /// Returns the amplitudes with positive probability, in increasing order. The list is empty for a
+  /// Returns the amplitudes with positive probability, in increasing order; empty for an amplitude
   /// law with a density.
   std::vector<AmplitudeAtom> amplitude_atoms() const;
-  /// Returns increasing break points between which the density of Y is smooth. The list is empty
-  /// for a law without a density. The probability outside the range of the break points is below
-  /// 1e-18.
+  /// Returns increasing break points between which the density of the amplitude Y is smooth; empty
+  /// for a law without a density. The probability of amplitudes outside the range of the break
+  /// points is below 1e-18.
   std::vector<double> amplitude_density_breakpoints() const;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace fpkcheck::problem {
 
-/// Gaussian initial density of independent displacement and velocity. Between walls the density is
-/// truncated and normalised to mass 1.
+/// Gaussian initial density of independent displacement and velocity. The initial density is
+/// truncated at the walls and normalised to mass 1.
 struct InitialGaussian {
   double displacement_deviation, velocity_deviation;
   double mean_displacement = 0, mean_velocity = 0;
@@ -16,12 +16,12 @@ struct InitialGaussian {
 
 /// Initial density of a computation over time, in physical coordinates.
 struct InitialDensityOptions {
-  /// Standard deviations of y and y'. An absent standard deviation of the initial density is
-  /// replaced by half of the stationary standard deviation in MotionScales.
+  /// Standard deviations of y and y' in the initial density. An absent standard deviation of the
+  /// initial density is replaced by half of the stationary standard deviation in MotionScales.
   std::optional<double> displacement_deviation = {}, velocity_deviation = {};
-  /// Mean displacement and mean velocity. An absent mean velocity is replaced by 0. An absent mean
-  /// displacement is replaced by the wall position for the paper's oscillator, otherwise by the
-  /// centre in MotionScales.
+  /// Mean displacement and mean velocity of the initial density. An absent mean velocity is
+  /// replaced by 0. An absent mean displacement is replaced by the wall position for the paper's
+  /// oscillator, otherwise by the centre in MotionScales.
   std::optional<double> mean_displacement = {}, mean_velocity = {};
 };
 
@@ -37,9 +37,9 @@ struct StateRange {
 };
 
 /// Returns the range of states of the undamped motion from all states within six standard
-/// deviations of a initial density, between the walls. The energy is v^2/2 + V(y) with the
-/// potential V of EffectivePotential.
-/// @param problem problem in wall coordinates, in which the motion of any energy is confined
+/// deviations of the mean of an initial density, between the walls. The energy is v^2/2 + V(y) with
+/// the potential V of EffectivePotential.
+/// @param problem problem in wall coordinates, with confined motion at any energy
 StateRange reachable_state_range(const Problem& problem, const InitialGaussian& density);
 
 }  // namespace fpkcheck::problem

@@ -7,17 +7,18 @@
 
 namespace fpkcheck::problem {
 
-/// Limits of the magnitude of a nonzero parameter. Within these limits, the twelfth powers of
-/// standard deviations neither overflow nor underflow in double precision. A change of the units of
-/// time and length brings the parameters of any problem within the limits.
+/// Limits of the magnitude of a nonzero parameter. For parameters within the limits, the twelfth
+/// powers of standard deviations neither overflow nor underflow in double precision. A change of
+/// the units of time and length brings the parameters of any problem within the limits of
+/// magnitude.
 inline constexpr double kSmallestMagnitude = 1e-30;
 inline constexpr double kLargestMagnitude = 1e30;
 
 /// Requires that the magnitude of every nonzero number is within kSmallestMagnitude ..
 /// kLargestMagnitude.
-/// @param prefix text before the names in messages, as in case files: "system."
-/// @throws InputError that states name and value of the first nonzero number outside the limits,
-/// and the limits
+/// @param prefix text before the parameter names in error messages, as in case files: "system."
+/// @throws InputError that states the limits, and name and value of the first nonzero number
+/// outside the limits
 void require_magnitudes_in_range(const std::string& prefix, const base::Values& values);
 
 template <class Owner>

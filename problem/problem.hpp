@@ -19,11 +19,12 @@ struct Problem {
   WhiteNoise noise = {};
   /// The factor g of multiplicative noise, noise.factor; absent if g = 1.
   std::optional<NoiseFactor> noise_factor = {};
-  /// The factor b(y) of parametric impulses, impulse.factor; absent if b = 1. An impulse changes y'
-  /// by b(y) Y. Since y is continuous, the senses of Ito and Marcus agree.
+  /// The factor b(y) of parametric impulses, impulse.factor; absent if b = 1. An impulse of
+  /// amplitude Y changes y' by b(y) Y. Since the displacement y is continuous, the interpretations
+  /// of the impulses by Ito and by Marcus agree.
   std::optional<StateFunction> impulse_factor = {};
-  /// Changes of the excitation in time, for densities over time. All other computations require a
-  /// constant excitation.
+  /// Time dependence of the excitation, for densities over time. All computations other than
+  /// densities over time require a constant excitation.
   ExcitationTimeDependence time = {};
   /// Transformation between the coordinate of `system` and the physical coordinate y. Solvers
   /// return moments of the physical coordinate y.
@@ -35,24 +36,25 @@ Problem without_impulses(Problem problem);
 /// Returns the problem without white noise.
 Problem without_noise(Problem problem);
 
-/// Returns the diffusion coefficient D G(y, v) of the noise.
+/// Returns the diffusion coefficient D G(y, v) of multiplicative noise with the factor g, where G =
+/// g^2.
 double noise_diffusion_coefficient(const Problem& problem, double y, double v);
 
-/// Returns the square b(y)^2 of the factor of parametric impulses; 1 without a factor.
+/// Returns the square b(y)^2 of the factor of parametric impulses; 1 for impulses without a factor.
 double squared_impulse_factor(const Problem& problem, double y);
 
-/// Returns the total intensity lambda E[Y^2] + 2D of impulses and noise. If g = b = 1, Gaussian
-/// white noise of this intensity has the same power.
+/// Returns the total intensity lambda E[Y^2] + 2D of impulses and noise. Without factors of noise
+/// and impulses, Gaussian white noise of the total intensity has the power of the excitation.
 double total_excitation_intensity(const Problem& problem);
 
 /// Returns the values of y in (y_low, y_high), in increasing order, at which the force, a factor of
-/// noise or impulses, or the slope of one of these functions jumps.
+/// noise or impulses, or the slope of the force or of a factor jumps.
 std::vector<double> coefficient_kinks_in_y(const Problem& problem, double y_low, double y_high);
 /// Returns the values of v in (v_low, v_high), in increasing order, at which the force, the noise
-/// factor, or the slope of one of these functions jumps.
+/// factor, or the slope of the force or of the noise factor jumps.
 std::vector<double> coefficient_kinks_in_v(const Problem& problem, double v_low, double v_high);
 
-/// A section of a case file: the name of the section, and the values of the keys of the section.
+/// A section of a case file, with the name of the section and the values of its keys.
 struct CaseFileSection {
   std::string name;
   base::Values values;
@@ -62,11 +64,11 @@ struct CaseFileSection {
 const std::vector<const base::OptionsDescriptionBase*>& case_section_descriptions();
 
 /// Returns the description of a named constant, a parameter of the section [parameters].
-/// @throws InputError if formulas cannot use the name
+/// @throws InputError if the name is not permitted as a constant in formulas
 const base::Parameter& named_constant_parameter(std::string_view name);
 
-/// Returns the sections of a case file for the problem: [system] and, if required, [wall],
-/// [impulse] and [noise].
+/// Returns the sections of a case file that describes the problem: [system] and, if required,
+/// [wall], [impulse] and [noise].
 std::vector<CaseFileSection> case_file_sections(const Problem& problem);
 
 /// Whether a case file may contain the section [time], for densities over time.
@@ -99,7 +101,7 @@ base::Value reported_parameter_value(const base::Parameter& parameter, const bas
 
 /// Returns, in one line, all parameters of a problem that differ from their defaults, such as "c =
 /// 0.1, k = 1, mu = 0.1, r = 0.98; gaussian impulses, lambda = 1".
-/// @param typeset whether to use typeset symbols: "μ = 0.1"
+/// @param typeset whether to use typeset symbols such as "μ = 0.1"
 std::string non_default_parameters_text(const Problem& problem, bool typeset = false);
 
 /// Requires the conditions under which the oscillator has a stationary density under the constant

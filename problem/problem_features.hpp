@@ -12,12 +12,12 @@ namespace fpkcheck::problem {
 /// Properties of a problem that decide which solvers are applicable.
 struct ProblemFeatures {
   bool no_wall = false, two_walls = false;
-  /// Whether the restoring force presses the mass against a wall with r < 1, and no noise acts.
-  /// After a sequence of impacts the mass is at rest in contact until the next impulse, and the
-  /// stationary law has an atom at the wall.
+  /// Whether the restoring force presses the mass against a wall with restitution coefficient r <
+  /// 1, and no noise acts. After a sequence of impacts the mass is then at rest in contact until
+  /// the next impulse, and the stationary law has an atom at the wall.
   bool rests_in_contact = false;
-  /// Whether inelastic collapse occurs, that is, noise acts and r <= kCollapseRestitution at a
-  /// wall.
+  /// Whether inelastic collapse occurs, that is, noise acts and a wall has a restitution
+  /// coefficient r <= kCollapseRestitution.
   bool collapse = false;
   bool noise = false, impulses = true;  ///< whether white noise acts, and whether impulses act
   bool constant_damping = true;
@@ -27,37 +27,38 @@ struct ProblemFeatures {
 
 ProblemFeatures problem_features(const Problem& problem);
 
-/// Returns why a method for polynomial problems does not support the problem; empty for a
-/// polynomial problem. A polynomial problem has a polynomial force, noise and impulses without a
-/// factor, and constant restitution coefficients.
+/// Returns the reason why a method for polynomial problems does not support a problem; an empty
+/// text for a polynomial problem. A polynomial problem has a polynomial force, noise and impulses
+/// without a factor, and constant restitution coefficients.
 std::string polynomial_method_unsupported_reason(const Problem& problem);
 
 /// Critical restitution coefficient exp(-pi / sqrt 3) of inelastic collapse (Cornell, Swift and
 /// Bray, Physical Review Letters 81, 1142 (1998)). For restitution coefficients up to the critical
-/// value, a particle under white noise makes infinitely many impacts in a finite time and comes to
-/// rest on the wall. Neither the equation nor the impact condition determines how the particle
-/// leaves the wall again.
+/// value of inelastic collapse, a particle under white noise makes infinitely many impacts in a
+/// finite time and comes to rest on the wall. After inelastic collapse, neither the equation of
+/// motion nor the impact condition determines how the particle leaves the wall.
 inline constexpr double kCollapseRestitution = 0.16303353482158048;
 
 /// Returns a text that states inelastic collapse and a change of the problem that avoids the
-/// collapse; empty without inelastic collapse. Inelastic collapse needs white noise, either in the
-/// problem or in the equation `white`, since discrete impulses separate the particle from the wall.
+/// collapse; an empty text without inelastic collapse. Inelastic collapse needs white noise, either
+/// in the problem or in the density equation `white`, since discrete impulses separate the particle
+/// from the wall.
 std::string inelastic_collapse_reason(const Problem& problem, DensityEquation equation);
 
-/// Returns why a passage above a barrier is not defined or not supported; empty for a valid
-/// barrier.
+/// Returns the reason why the first passage above a barrier is not defined or not supported; an
+/// empty text for a valid barrier.
 /// @param problem,barrier problem and barrier in wall coordinates
 std::string barrier_unsupported_reason(const Problem& problem, double barrier);
 
 /// A feature of oscillators that the program does not support.
 struct UnsupportedOscillatorFeature {
   std::string_view subject;  ///< name of the feature in messages
-  /// Words in lower case that identify the feature in a key. A key is split into words at '.', '_'
-  /// and '-'.
+  /// Words in lower case that identify the unsupported feature in a key of a case file. A key is
+  /// split into words at '.', '_' and '-'.
   std::vector<std::string_view> words;
 };
 
-/// Returns all unsupported features, in agreement with the list in README.md.
+/// Returns all unsupported features of oscillators, in agreement with the list in README.md.
 const std::vector<UnsupportedOscillatorFeature>& unsupported_features();
 
 /// Returns one line that names the unsupported feature that a key or a command requests, or the key

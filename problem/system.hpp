@@ -12,8 +12,8 @@
 
 namespace fpkcheck::problem {
 
-/// Coefficients of the oscillator, as read from the section [system] of a case file. All quantities
-/// of the program are non-dimensional.
+/// Coefficients of the oscillator, as read from the section [system] of a case file. All physical
+/// quantities of the program are non-dimensional.
 struct SystemCoefficients {
   double damping = 0;      ///< linear damping c, coefficient of y'
   double van_der_pol = 0;  ///< damping coefficient of y^2 y'
@@ -23,8 +23,8 @@ struct SystemCoefficients {
   double quadratic = 0;    ///< stiffness coefficient of y^2
   double cubic = 0;        ///< cubic stiffness mu, coefficient of y^3
   double quintic = 0;      ///< stiffness coefficient of y^5
-  /// Formula of the force f + g (Expression). If present, the polynomial coefficients are computed
-  /// from the formula.
+  /// Formula of the force f + g, the sum of damping force f and restoring force g (Expression). If
+  /// a force formula is present, the polynomial coefficients are computed from the formula.
   std::optional<std::string> force = {};
   /// Restitution coefficient r, 0 < r <= 1, of a wall at y = 0 on the left; absent if the section
   /// [wall] defines the walls.
@@ -41,29 +41,29 @@ const base::OptionsDescription<SystemCoefficients>& system_parameter_description
 ///     g = g_0 + k y + k_2 y^2 + mu y^3 + k_5 y^5.
 ///
 /// The oscillator of the paper has the restoring force g = k y + mu y^3, the damping force f = c y'
-/// and the motion in y > 0. On the (z, z') plane of paper (5), the restoring force at z < 0 is
-/// -g(-z).
+/// and the motion in y > 0. On the plane of the variables (z, z') of paper (5), the restoring force
+/// at z < 0 is -g(-z).
 class System {
  public:
   /// @param constants the named constants of the formula of the force, section [parameters]
   /// @throws InputError that states the invalid coefficient, its value and the allowed range; or
-  /// the invalid part of the formula, with its column
+  /// the invalid part of the formula and its column
   explicit System(const SystemCoefficients& coefficients, const WallParameters& walls = {},
                   const NamedConstants& constants = {});
 
-  /// Returns the coefficients of the case file or of its formula in physical coordinates, even for
-  /// a system in wall coordinates.
+  /// Returns the coefficients of force and damping in physical coordinates, from the case file or
+  /// its force formula, even for a system in wall coordinates.
   const SystemCoefficients& coefficients() const { return c_; }
   const WallParameters& wall_parameters() const { return wall_parameters_; }
   const NamedConstants& named_constants() const { return constants_; }
 
-  /// Returns whether force and damping are the polynomials of the class comment, given by their
-  /// coefficients or by a formula. For a formula that is not such a polynomial, only the function
-  /// force() describes the force.
+  /// Returns whether the forces f and g are polynomials of the form y' (c(y) + c_vv y'^2) and g(y),
+  /// given by coefficients or by a formula. For a force formula of any other form, only the
+  /// function force() describes the force.
   bool has_polynomial_force() const { return !formula_; }
   /// Returns the total force f(y, v) + g(y). Under multiplicative noise with the diffusion
-  /// coefficient D G(y, v) the result is the force f of the equation in Ito's sense, whose
-  /// Fokker-Planck equation for the density p has the terms (f p)_v + D (G p)_vv.
+  /// coefficient D G(y, v) the total force F is the force of the equation in Ito's sense: the
+  /// Fokker-Planck equation for the density p has the terms (F p)_v + D (G p)_vv.
   double force(double y, double v) const {
     if (!formula_) return damping_force(y, v) + force_(y);
     double force = sign_ * (*formula_)(y, v);
@@ -73,15 +73,17 @@ class System {
     }
     return force;
   }
-  /// Returns the oscillator of an equation in Stratonovich's sense, with noise of diffusion
-  /// coefficient D and factor g. The member force() of the result includes the drift -D G_v / 2,
-  /// where G is the square of the factor.
+  /// Returns the oscillator whose equation in Ito's sense is equivalent to the present equation in
+  /// Stratonovich's sense, with noise of diffusion coefficient D and factor g. In the returned
+  /// system the function force() includes the drift -D G_v / 2, where G = g^2 is the square of the
+  /// noise factor.
   System equivalent_ito_system(const NoiseFactor& factor, double diffusion) const;
   /// Computes the force f(y, v) + g(y) at `count` <= Expression::kBatchPoints points, faster than
-  /// by single evaluations. Under multiplicative noise the result is the force of the equation in
-  /// the sense of noise.interpretation, without the drift D G_v / 2.
+  /// by single evaluations. Under multiplicative noise evaluate_forces() computes the force of the
+  /// equation in the sense of the setting noise.interpretation, without the drift D G_v / 2, where
+  /// G is the square of the noise factor.
   void evaluate_forces(std::size_t count, const double* y, const double* v, double* force) const;
-  /// Returns the part f(y, v) of the force that vanishes at v = 0.
+  /// Returns the damping force f(y, v), the part of the force that vanishes at v = 0.
   double damping_force(double y, double v) const {
     if (formula_) return force(y, v) - force(y, 0);
     return v * (damping_(y) + c_.rayleigh * v * v);
@@ -120,10 +122,9 @@ class System {
   /// order.
   std::vector<double> kinks_in_v(double low, double high) const;
 
-  // The damping polynomials are defined only if has_polynomial_force().
+  // The damping polynomials of a System are defined only if has_polynomial_force().
 
-  /// Returns the damping coefficient c(0), which is the only damping coefficient for constant
-  /// damping.
+  /// Returns the linear damping coefficient c(0) of the damping polynomial c(y).
   double damping() const {
     assert(has_polynomial_force());
     return damping_.coefficient(0);
@@ -146,7 +147,7 @@ class System {
   /// Returns the restitution coefficient of the left wall, or 1 without a left wall.
   double restitution() const { return walls_.left ? walls_.left->restitution : 1; }
 
-  /// Returns whether no restitution coefficient depends on the impact speed.
+  /// Returns whether the restitution coefficients of all walls are independent of the impact speed.
   bool has_constant_restitution() const {
     return (!walls_.left || walls_.left->has_constant_restitution()) &&
            (!walls_.right || walls_.right->has_constant_restitution());
@@ -160,7 +161,7 @@ class System {
     assert(has_polynomial_force());
     return tangent_;
   }
-  /// Returns the potential U(y), the integral of g from 0 to y.
+  /// Returns the potential U(y), the integral of the restoring force g from 0 to y.
   const numerics::Polynomial& potential() const {
     assert(has_polynomial_force());
     return potential_;
@@ -168,11 +169,11 @@ class System {
   bool has_linear_force() const {
     return !formula_ && force_.degree() <= 1 && force_.coefficient(0) == 0;
   }
-  /// Returns the stiffness k = g'(0).
+  /// Returns the stiffness k = g'(0), the slope of the restoring force g at y = 0.
   double stiffness() const { return tangent_.coefficient(0); }
 
-  /// Returns this oscillator in wall coordinates x, where y = origin + sign x. The restoring force
-  /// in wall coordinates is sign g(origin + sign x), and the damping polynomial is c(origin + sign
+  /// Returns the oscillator in wall coordinates x, where y = origin + sign x. In wall coordinates x
+  /// the restoring force is sign g(origin + sign x), and the damping polynomial is c(origin + sign
   /// x). A mirrored frame exchanges the left and the right wall.
   System to_wall_coordinates(const WallFrame& frame) const;
 
@@ -184,8 +185,8 @@ class System {
   numerics::Polynomial force_{{}}, tangent_{{}}, potential_{{}}, damping_{{}}, damping_slope_{{}};
   std::optional<StateFunction> formula_;  // force of a formula that is not a polynomial
   double sign_ = 1;                       // sign of velocities and forces in wall coordinates
-  // Factor of noise in Stratonovich's sense. The member function force() subtracts the drift D G_v
-  // / 2, where G is the square of the noise factor.
+  // Factor of multiplicative noise in Stratonovich's sense. The member function force() subtracts
+  // the drift D G_v / 2, where G is the square of the noise factor.
   std::optional<NoiseFactor> stratonovich_factor_;
   double stratonovich_diffusion_ = 0;
 };

@@ -13,16 +13,18 @@ struct HalfCycle {
   bool left_is_wall, right_is_wall;  ///< whether the left end and the right end are walls
 };
 
-/// Integrals over one period of an undamped orbit with energy h = v^2/2 + V(y).
+/// Integrals over one period of an undamped orbit with energy h = v^2/2 + V(y) and effective
+/// potential V.
 struct OrbitIntegrals {
   HalfCycle half_cycle;
   double period = 0;  ///< period T = closed integral of dy / v
   double action = 0;  ///< closed integral of v dy
-  /// Energy loss: closed integral of (f + D G_v) dy, plus (1 - r^2) u^2 / 2 at each wall hit at
-  /// speed u. The term D G_v, with G = g^2, exists for noise with a factor g(y, v).
+  /// Energy loss over one period: closed integral of (f + D G_v) dy with the damping force f, plus
+  /// (1 - r^2) u^2 / 2 at each impact with speed u. The term D G_v of the energy loss, with G =
+  /// g^2, exists for noise with a factor g(y, v).
   double loss = 0;
-  /// Closed integral of (D G + lambda E[Y^2] b^2/2) v dy, half of the diffusion coefficient of the
-  /// energy times the period.
+  /// Closed integral of (D G + lambda E[Y^2] b^2/2) v dy: half of the diffusion coefficient of the
+  /// energy, multiplied by the period of the orbit.
   double diffusion = 0;
   double time_integral_y = 0;        ///< period T times the orbit mean of y
   double time_integral_y2 = 0;       ///< period T times the orbit mean of y^2
@@ -37,7 +39,7 @@ class UndampedOrbits {
 
   const EffectivePotential& potential() const { return potential_; }
   /// Returns the positions of the minima of the effective potential V, in increasing order. A wall
-  /// against which the effective force presses the mass is also a minimum.
+  /// against which the effective force presses the mass also counts as a minimum.
   const std::vector<double>& potential_minima() const { return minima_; }
   /// Returns the position of the lowest minimum of the effective potential V.
   /// @pre is_confining()
@@ -50,10 +52,11 @@ class UndampedOrbits {
   bool is_confining_on_right() const;
   bool is_confining() const { return is_confining_on_left() && is_confining_on_right(); }
 
-  /// Returns all half-cycles of the undamped motion with this energy, from left to right.
+  /// Returns all half-cycles of the undamped motion with the given energy, from left to right.
   /// @pre is_confining()
   std::vector<HalfCycle> half_cycles(double energy) const;
-  /// Returns the integrals over the orbit with this energy that contains the half-cycle.
+  /// Returns the integrals over the undamped orbit that has the given energy and contains the given
+  /// half-cycle.
   OrbitIntegrals orbit_integrals(const HalfCycle& half_cycle, double energy) const;
 
  private:

@@ -17,8 +17,8 @@ namespace fpkcheck::problem {
 /// Values of the named constants that an expression may use.
 using NamedConstants = std::map<std::string, double, std::less<>>;
 
-/// Returns whether a name can denote a constant in formulas. A valid name consists of letters,
-/// digits and '_', and is neither y, v, t or pi nor the name of a function.
+/// Returns whether a name can denote a constant in formulas. A valid constant name consists of
+/// letters, digits and '_', and is neither y, v, t or pi nor the name of a function.
 bool is_valid_constant_name(std::string_view name);
 
 /// Coefficients of a polynomial in y and v: the map from the exponents (i, j) to the coefficient of
@@ -33,15 +33,15 @@ using BivariateCoefficients = std::map<std::pair<int, int>, double>;
 ///     power   = atom ["^" signed]                       (a^b^c = a^(b^c), -a^2 = -(a^2))
 ///     atom    = number | name | function "(" sum {"," sum} ")" | "(" sum ")"
 ///
-/// A name is y, v, pi or a named constant; kFunctions lists the functions. The formula is stored in
-/// postfix notation, with constant parts evaluated. An expression is immutable, so that several
-/// threads can evaluate the same expression.
+/// A name in a formula is y, v, pi or a named constant; kFunctions lists the functions. An
+/// Expression stores the formula in postfix notation, with constant parts evaluated. Expressions
+/// are immutable, so that several threads can evaluate the same expression.
 class Expression {
  public:
   /// Parses the text of a formula.
-  /// @param label beginning of error messages: the key of the case file
-  /// @param variables letters of the variables that the formula may contain: `y`, `v`, or `t` as
-  /// the first argument instead of `y`
+  /// @param label beginning of error messages, for example the key of the case file
+  /// @param variables letters of the variables that the formula may contain: `y`, `v`, or `t`
+  /// instead of `y`
   /// @throws InputError "LABEL column N: CAUSE; ACTION" for a text outside the grammar, an unknown
   /// name, or a text above the limits of length, nesting and number of operations
   static Expression parse(std::string_view text, const NamedConstants& constants,
@@ -50,28 +50,29 @@ class Expression {
   /// Returns the text of the formula, as passed to parse().
   const std::string& formula_text() const { return text_; }
 
-  /// Returns the value of the expression. The type `Number` is double, DualNumber, or another
-  /// aggregate whose first member is the value. The namespace of `Number` defines arithmetic,
-  /// apply_named_function() and real_power().
+  /// Returns the value of the expression. The template argument `Number` is double, DualNumber, or
+  /// another aggregate whose first member is the value. The namespace of the type `Number` defines
+  /// arithmetic, apply_named_function() and real_power().
   template <class Number>
   Number operator()(const Number& y, const Number& v) const {
     return evaluate<Number>(0, nodes_.size(), y, v);
   }
   /// Number of points that evaluate_batch() evaluates at once.
   static constexpr int kBatchPoints = 8;
-  /// Computes the values at `count` <= kBatch points (y, v), faster than by single evaluations. The
-  /// values of the batch evaluation differ from the values of operator() by rounding errors. The
-  /// value at a point does not depend on the other points of the batch.
+  /// Computes the values of the expression at `count` <= kBatchPoints points (y, v), faster than by
+  /// single evaluations. The values of the batch evaluation differ from the values of operator() by
+  /// rounding errors, and do not depend on the other points of the batch.
   void evaluate_batch(std::size_t count, const double* y, const double* v, double* values) const;
-  /// Computes the values, and their derivatives with respect to v, at `count` <= kBatch points.
+  /// Computes the values of the expression, and the derivatives with respect to v, at `count` <=
+  /// kBatchPoints points.
   void evaluate_batch_with_velocity_slopes(std::size_t count, const double* y, const double* v,
                                            double* values, double* slopes) const;
-  /// Returns the derivative with respect to y.
+  /// Returns the derivative of the expression with respect to y.
   /// @pre the derivative exists at (y, v)
   double derivative_in_y(double y, double v) const {
     return (*this)(numerics::DualNumber{y, 1}, numerics::DualNumber{v, 0}).derivative;
   }
-  /// Returns the derivative with respect to v.
+  /// Returns the derivative of the expression with respect to v.
   /// @pre the derivative exists at (y, v)
   double derivative_in_v(double y, double v) const {
     return (*this)(numerics::DualNumber{y, 0}, numerics::DualNumber{v, 1}).derivative;
@@ -80,12 +81,12 @@ class Expression {
   bool depends_on_y() const { return depends_on_variable(Operation::y); }
   bool depends_on_v() const { return depends_on_variable(Operation::v); }
 
-  /// Returns the coefficients of a polynomial in y and v; nullopt if the expression is no
-  /// polynomial.
+  /// Returns the coefficients of an expression that is a polynomial in y and v; nullopt if the
+  /// expression is no polynomial.
   std::optional<BivariateCoefficients> polynomial_coefficients() const;
-  /// Returns the parity under (y, v) -> (-y, -v) that follows from the parities of the terms and
-  /// factors of the expression. The result is FunctionParity::none if the parity follows only from
-  /// an algebraic identity.
+  /// Returns the parity of the expression under (y, v) -> (-y, -v), as far as the parity follows
+  /// from the parities of the terms and factors. The returned parity is FunctionParity::none if the
+  /// parity follows only from an algebraic identity.
   FunctionParity parity() const;
   /// Returns the values of y in (low, high) at which the expression or its slope jumps for every v,
   /// in increasing order.
@@ -94,7 +95,7 @@ class Expression {
   /// in increasing order.
   std::vector<double> kinks_in_v(double low, double high) const;
   /// Returns whether the expression or its slope jumps along a curve other than y = const. and v =
-  /// const. An example is abs(y - v).
+  /// const. An example of such an expression is abs(y - v).
   bool has_kinks_along_other_curves() const;
   /// Returns whether the expression contains a function with a kink, for example abs(), or a
   /// non-integer power.
@@ -122,8 +123,9 @@ class Expression {
 
   template <class Number>
   static Number integer_power(const Number& base, int exponent);
-  // Evaluates the nodes begin .. end - 1. Before the call of a function, calls on_call(k, a, b)
-  // with the index of the node and its arguments; b equals a for functions of one argument.
+  // Evaluates the nodes begin .. end - 1 of the expression. Before the call of a function of the
+  // formula, evaluation calls on_call(k, a, b) with the index k of the node and the arguments a and
+  // b; b equals a for functions of one argument.
   struct IgnoreCalls {
     template <class Number>
     void operator()(std::size_t, const Number&, const Number&) const {}
@@ -136,7 +138,7 @@ class Expression {
   bool depends_on_variable(Operation variable) const;
   bool contains_operation(std::size_t begin, std::size_t end, Operation operation) const;
   bool expression_node_jumps_in_v(std::size_t node) const;
-  // Returns the values of the variable at which a function of a node in `wanted` has a kink.
+  // Returns the values of a variable at which the function of a node with wanted(node) has a kink.
   std::vector<double> find_kinks(Operation variable, double low, double high,
                                  const std::function<bool(std::size_t)>& wanted) const;
 
@@ -144,7 +146,7 @@ class Expression {
   std::vector<Node> nodes_;  // postfix order
 };
 
-/// Returns the value of a function of one or two numbers.
+/// Returns the value of a named function of one or two numbers.
 inline double apply_named_function(const NamedFunction& f, double a, double b) {
   return f.value(a, b);
 }

@@ -10,7 +10,7 @@ namespace fpkcheck::problem {
 /// Parity of a function f(x, y, ..) under a change of the sign of all arguments.
 enum class FunctionParity { even, odd, none };
 
-/// A function of one or two arguments that an expression can call.
+/// A function of one or two arguments that a formula can call.
 struct NamedFunction {
   using Value = double (*)(double a, double b);
   std::string_view name;
@@ -19,12 +19,13 @@ struct NamedFunction {
   Value slope;            ///< df/da
   Value slope_in_second;  ///< df/db; null for functions of one argument
   FunctionParity parity = FunctionParity::none;
-  /// A function of the arguments that changes its sign where f or its slope jumps; null if f is
-  /// smooth.
+  /// A function of the arguments a and b that changes its sign where the function f(a, b) or its
+  /// slope jumps; null for a smooth function.
   Value kink = nullptr;
 };
 
-/// All functions that a formula can call. A new function needs one entry in this table.
+/// All functions that a formula can call. A new function of formulas needs one entry in the table
+/// kFunctions.
 inline constexpr std::array kFunctions{
     NamedFunction{"abs", 1, [](double a, double) { return std::abs(a); },
                   [](double a, double) { return a < 0   ? -1.0

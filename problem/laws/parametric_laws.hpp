@@ -19,7 +19,8 @@ struct GaussianLaw {
   double width_parameter() const { return deviation; }
   double standard_deviation() const { return deviation; }
 
-  /// Returns E[((Y - mean) / deviation)^n]: (n-1)!! for even n and 0 for odd n.
+  /// Returns the moment E[((Y - mean) / deviation)^n] of the Gaussian law: (n-1)!! for even n and 0
+  /// for odd n.
   double standardised_amplitude_moment(int n) const;
   double density(double y) const;
   double cumulative_probability(double y) const;
@@ -42,8 +43,8 @@ struct LaplaceLaw {
   double width_parameter() const { return scale; }
   double standard_deviation() const { return std::numbers::sqrt2 * scale; }
 
-  /// Returns E[((Y - mean) / standard_deviation())^n], which is n! / 2^(n/2) for even n and 0 for
-  /// odd n.
+  /// Returns the moment E[((Y - mean) / standard_deviation())^n] of the Laplace law, which is n! /
+  /// 2^(n/2) for even n and 0 for odd n.
   double standardised_amplitude_moment(int n) const;
   double density(double y) const;
   double cumulative_probability(double y) const;
@@ -89,8 +90,8 @@ struct UniformLaw {
   double width_parameter() const { return half_width; }
   double standard_deviation() const { return half_width / std::numbers::sqrt3; }
 
-  /// Returns E[((Y - mean) / standard_deviation())^n], which is 3^(n/2) / (n+1) for even n and 0
-  /// for odd n.
+  /// Returns the moment E[((Y - mean) / standard_deviation())^n] of the uniform law, which is
+  /// 3^(n/2) / (n+1) for even n and 0 for odd n.
   double standardised_amplitude_moment(int n) const {
     return n % 2 == 0 ? std::pow(3.0, n / 2) / (n + 1) : 0;
   }
@@ -103,9 +104,9 @@ struct UniformLaw {
 };
 
 /// The shifted exponential law of Y = mean + scale (E - 1), where P(E > x) = exp(-x) for x >= 0.
-/// The support is y >= mean - scale for a positive scale and y <= mean - scale for a negative
-/// scale. The standard deviation is |scale|; the skewness is 2 for a positive scale and -2 for a
-/// negative scale.
+/// The support of the exponential law is y >= mean - scale for a positive scale and y <= mean -
+/// scale for a negative scale. The exponential law has the standard deviation |scale| and the
+/// skewness 2 for a positive scale, -2 for a negative scale.
 struct ExponentialLaw {
   double mean;
   double scale;
@@ -119,8 +120,8 @@ struct ExponentialLaw {
   double width_parameter() const { return scale; }
   double standard_deviation() const;
 
-  /// Returns E[((Y - mean) / standard_deviation())^n], the number of derangements of n objects
-  /// times the sign of scale^n.
+  /// Returns the moment E[((Y - mean) / standard_deviation())^n] of the exponential law, the number
+  /// of derangements of n objects times the sign of scale^n.
   double standardised_amplitude_moment(int n) const;
   double density(double y) const;
   double cumulative_probability(double y) const;
@@ -140,23 +141,26 @@ struct GammaLaw {
   static constexpr std::string_view kName = "gamma";
   static constexpr std::string_view kWidthName = "deviation";
   /// Returns the gamma law with the given mean, standard deviation and skewness (default 1).
-  /// @throws InputError if |skewness| is outside 0.01 .. 2 (above 2 the density is unbounded)
+  /// @throws InputError if the absolute value of the skewness is outside 0.01 .. 2 (above 2 the
+  /// gamma density is unbounded)
   static GammaLaw from_moments(double mean, double deviation, const LawShapeParameters& shape);
-  /// Returns the signed width, the standard deviation times the sign of the skewness.
+  /// Returns the signed width of the gamma law, the standard deviation times the sign of the
+  /// skewness.
   double width_parameter() const;
   double standard_deviation() const { return deviation; }
   /// Returns the shape parameter k of the gamma density.
   double gamma_shape() const { return 4 / (skewness * skewness); }
 
-  /// Returns the moment m_n = E[((Y - mean) / deviation)^n], computed by the recursion
+  /// Returns the moment m_n = E[((Y - mean) / deviation)^n] of the gamma law, computed by the
+  /// recursion
   ///
   ///     m_{n+1} = n (skewness/2 m_n + m_{n-1}).
   double standardised_amplitude_moment(int n) const;
   double density(double y) const;
   double cumulative_probability(double y) const;
   std::vector<AmplitudeAtom> amplitude_atoms() const { return {}; }
-  /// Returns break points for quadrature. The break points are densest near the finite end of the
-  /// support, where the gamma density behaves like a power of the distance from the end.
+  /// Returns break points for the quadrature of the gamma density, densest near the finite end of
+  /// the support, where the gamma density behaves like a power of the distance from the end.
   std::vector<double> amplitude_density_breakpoints() const;
   GammaLaw with_negated_amplitudes() const { return {-mean, deviation, -skewness}; }
 

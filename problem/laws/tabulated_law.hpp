@@ -10,8 +10,8 @@ namespace fpkcheck::problem {
 
 struct AmplitudeTable;
 
-/// The law of Y = mean + scale Z, where Z is the amplitude of a table, standardised to mean 0 and
-/// standard deviation 1. A negative scale mirrors the amplitude law.
+/// The law of the amplitude Y = mean + scale Z, where Z is the amplitude of a table, standardised
+/// to mean 0 and standard deviation 1. A negative scale mirrors the tabulated amplitude law.
 struct TabulatedLaw {
   double mean;
   double scale;
@@ -20,9 +20,9 @@ struct TabulatedLaw {
 
   static constexpr std::string_view kName = "tabulated";
   static constexpr std::string_view kWidthName = "scale";
-  /// Returns the law of the amplitude table `shape.table`, shifted and scaled to the given mean and
+  /// Returns the amplitude law of the table `shape.table`, shifted and scaled to the given mean and
   /// standard deviation.
-  /// @throws InputError if the table is missing or invalid
+  /// @throws InputError if the amplitude table is missing or invalid
   static TabulatedLaw from_moments(double mean, double deviation, const LawShapeParameters& shape);
   double width_parameter() const { return scale; }
   double standard_deviation() const;
