@@ -10,13 +10,14 @@ namespace fpkcheck::transform {
 ///
 /// The cumulative distribution is known exactly at the edges of the old bins. Polynomials of degree
 /// 7 interpolate the cumulative distribution at the edges of the new bins, and the differences of
-/// the interpolated values are the new masses. The total mass between the ends of the new bins is
-/// therefore conserved. No interpolation stencil extends across 0, where the density of y' may be
-/// discontinuous at the wall.
+/// the interpolated values are the masses of the new bins. The total mass between the ends of the
+/// new bins is therefore conserved. No interpolation stencil extends across the coordinate 0, since
+/// the density of y' may be discontinuous at y' = 0.
 ///
 /// Next to a spike of the density, the interpolating polynomial overshoots by more than the mass of
-/// the adjacent bin. For nonnegative masses, the interpolated cumulative distribution is therefore
-/// made monotone wherever it decreases by more than 1e-6 of the total mass.
+/// the adjacent bin. If all bin masses are nonnegative, the interpolated cumulative distribution is
+/// therefore made monotone wherever the interpolated distribution decreases by more than 1e-6 of
+/// the total mass.
 class ConservativeRemap {
  public:
   /// @param source_edges n + 1 increasing edges of the old bins
@@ -28,9 +29,10 @@ class ConservativeRemap {
   std::vector<double> operator()(std::span<const double> masses) const;
 
  private:
-  /// Weights of the old masses in the cumulative distribution at an edge of the new bins. The
-  /// cumulative distribution is the sum of the masses of all old bins before `bin`, plus the sum
-  /// over k of weights[k] times the mass of the old bin first + k.
+  /// Weights of the masses of the old bins in the cumulative distribution at an edge of the new
+  /// bins. The cumulative distribution at an edge of the new bins is the sum of the masses of all
+  /// old bins before `bin`, plus the sum over k of weights[k] times the mass of the old bin first +
+  /// k.
   struct InterpolationStencil {
     std::size_t bin;
     std::size_t first;

@@ -6,11 +6,11 @@
 #include <vector>
 
 /// Joint densities of (y, y') between the walls, for the paper's oscillator on the half-plane y >=
-/// 0. Every solver returns a GridDensity or a SmoothDensity. The integral of a density is 1 minus
-/// the probabilities of the atoms at rest.
+/// 0. Every solver returns a GridDensity or a SmoothDensity. The integral of a joint density is 1
+/// minus the probabilities of the atoms at rest.
 namespace fpkcheck::transform {
 
-/// A density given by its averages over rectangular cells (from finite volumes or a histogram).
+/// A joint density given by averages over rectangular cells (from finite volumes or a histogram).
 struct GridDensity {
   std::vector<double> y_edges;   ///< ny + 1 increasing cell edges; a wall is the first or last edge
   std::vector<double> v_edges;   ///< nv + 1 increasing cell edges
@@ -23,7 +23,8 @@ struct GridDensity {
   }
 };
 
-/// A density given by a function of (y, v), which is zero outside [y_min, y_max] x [-v_max, v_max].
+/// A joint density given by a function of (y, v), which is zero outside [y_min, y_max] x [-v_max,
+/// v_max].
 struct SmoothDensity {
   std::function<double(double y, double v)> value;
   double y_max;
@@ -42,8 +43,8 @@ struct NamedMoment {
   const char* name;
   const char* symbol;
   double Moments::*moment;
-  /// Moment that scales relative errors of this moment; E[y'^2] scales the errors of E[y'], which
-  /// is exactly 0.
+  /// Moment that scales the relative errors of a moment; E[y'^2] scales the errors of E[y'], since
+  /// E[y'] is exactly 0.
   double Moments::*size;
 };
 inline constexpr NamedMoment kMoments[] = {
@@ -51,12 +52,12 @@ inline constexpr NamedMoment kMoments[] = {
     {"y4", "E[y^4]", &Moments::y4, &Moments::y4},  {"v1", "E[y']", &Moments::v1, &Moments::v2},
     {"v2", "E[y'^2]", &Moments::v2, &Moments::v2}, {"v4", "E[y'^4]", &Moments::v4, &Moments::v4}};
 
-/// Returns the expectation of g(y, v), computed with a composite Gauss-Legendre rule on [y_min,
-/// y_max] x [-v_max, 0] and [y_min, y_max] x [0, v_max].
+/// Returns the expectation of a function g(y, v) under a joint density, computed with a composite
+/// Gauss-Legendre rule on [y_min, y_max] x [-v_max, 0] and [y_min, y_max] x [0, v_max].
 double expectation(const SmoothDensity& density, const std::function<double(double, double)>& g);
 
-/// Returns the flux int_{v<0} |v|^power p(0, v) dv at the wall y = 0, which is the impact rate for
-/// power 1 and twice the energy flux for power 3.
+/// Returns the flux int_{v<0} |v|^power p(0, v) dv into the wall y = 0, which is the impact rate
+/// for power 1 and twice the energy flux for power 3.
 double flux_into_left_wall(const SmoothDensity& density, int power);
 
 /// Averages a smooth density over cells, with three Gauss-Legendre points along each side of a
@@ -67,9 +68,10 @@ double flux_into_left_wall(const SmoothDensity& density, int power);
 GridDensity average_over_cells(const SmoothDensity& density, std::span<const double> y_edges,
                                std::span<const double> v_edges);
 
-/// Averages a density on cells over new cells, with ConservativeRemap along both axes. The averages
-/// are exact for new cells whose edges coincide with old edges. If the density is a histogram, its
-/// edges should include the new edges, since polynomial interpolation is inaccurate for noisy data.
+/// Averages a density on cells over new cells, with ConservativeRemap along both axes. The new cell
+/// averages are exact for cells whose edges coincide with old cell edges. The cell edges of a
+/// histogram should include the new cell edges, since polynomial interpolation is inaccurate for
+/// noisy data.
 GridDensity average_over_cells(const GridDensity& density, std::span<const double> y_edges,
                                std::span<const double> v_edges);
 

@@ -31,8 +31,8 @@ struct Marginal {
 };
 
 /// Computes the marginal density of y, paper (30), or of y', paper (34), averaged over the bins
-/// between `edges`. For a density on cells, the masses of the bins are computed by
-/// ConservativeRemap.
+/// between `edges`. For a joint density on cells, ConservativeRemap computes the masses of the
+/// bins.
 Marginal marginal(const Density& density, StateVariable variable, std::span<const double> edges);
 
 /// Returns the L1 distance int |a - b| of two marginals with the same bins: 0 for equal marginals,
@@ -42,17 +42,17 @@ double l1_distance(const Marginal& a, const Marginal& b);
 
 enum class QuadraturePanelSpacing {
   uniform,
-  /// Quadrature panels become narrower towards 0, where strong dissipation and rare impulses cause
-  /// a spike of the density.
+  /// Quadrature panels that become narrower towards y = 0 and y' = 0, where strong dissipation and
+  /// rare impulses cause a spike of the density.
   graded,
-  /// Quadrature panels of the enumerator `graded` with a geometrically subdivided first panel, for
-  /// densities that are self-similar near the origin.
+  /// Quadrature panels as for `graded`, with a geometrically subdivided first panel, for densities
+  /// that are self-similar near the origin.
   geometric
 };
 
 /// Marginal densities at the points of a composite Gauss-Legendre rule on [y_min, y_max] x [-v_max,
 /// 0] and [y_min, y_max] x [0, v_max]. The mass and the moments are computed from the values of the
-/// marginal densities at these points.
+/// marginal densities at the quadrature points.
 struct QuadratureMarginals {
   std::vector<double> y;         ///< points of the quadrature rule in y
   std::vector<double> p_y, p_v;  ///< p(y) and p(y') at the quadrature points
@@ -61,9 +61,9 @@ struct QuadratureMarginals {
   Moments moments = {};
 };
 
-/// Computes the marginals of a density on a given domain, for example the domain of another density
-/// for a comparison. For a density without a wall at y = 0, the panels of y have equal widths for
-/// every value of `panels`.
+/// Computes the marginal densities of a joint density at quadrature points of a given domain, for
+/// example the domain of another density for a comparison. For a density without a wall at y = 0,
+/// the quadrature panels in y have equal widths for every value of `panels`.
 QuadratureMarginals marginals_at_quadrature_points(
     const SmoothDensity& density, double y_max, double v_max,
     QuadraturePanelSpacing panels = QuadraturePanelSpacing::uniform);

@@ -11,7 +11,8 @@
 
 namespace fpkcheck::transform {
 
-/// A moment E[y^p y'^q] whose derivatives are computed. E[y'] = 0 is not among these moments.
+/// A moment E[y^p y'^q] whose parameter derivatives are computed. The moment E[y'] = 0 has no
+/// parameter derivatives.
 struct DifferentiatedMoment {
   const char* symbol;
   int p, q;
@@ -35,12 +36,13 @@ struct ExpectationDerivatives {
 struct MarginalDerivatives {
   StateVariable variable;
   std::vector<double> edges;  ///< n + 1 increasing bin edges
-  /// Averages over bins of the derivative with respect to each parameter, shape (parameters, n)
+  /// Bin averages of the derivative of the density with respect to each parameter, shape
+  /// (parameters, n)
   std::vector<std::vector<double>> derivatives = {};
   std::vector<std::vector<double>> errors = {};  ///< estimated errors, shape (parameters, n)
 
   double bin_centre(std::size_t b) const { return (edges[b] + edges[b + 1]) / 2; }
-  /// Returns the L1 norm of bin averages, int |f| dy.
+  /// Returns the L1 norm int |f| dy of a function f that is given by bin averages.
   double l1_norm(const std::vector<double>& bin_averages) const {
     double sum = 0;
     for (std::size_t b = 0; b < bin_averages.size(); ++b) {
@@ -50,8 +52,8 @@ struct MarginalDerivatives {
   }
 };
 
-/// Derivatives of stationary moments, and of marginal densities if the method computes these
-/// derivatives, with respect to parameters of the problem.
+/// Derivatives of stationary moments, and for some methods also of marginal densities, with respect
+/// to parameters of the problem.
 struct MomentSensitivities {
   std::string id;  ///< id of the solution, such as "fd-kf" or "mcs"
   Status status = Status::failed;
@@ -61,7 +63,8 @@ struct MomentSensitivities {
   std::vector<double> parameter_values = {};
   std::vector<ExpectationDerivatives> expectations =
       {};  ///< in the order of kDifferentiatedMoments
-  /// Derivatives of p(y) and p(y'); empty if the method computes only derivatives of moments
+  /// Parameter derivatives of the densities p(y) and p(y'); empty if the method computes only
+  /// derivatives of moments
   std::vector<MarginalDerivatives> marginals = {};
   bool has_standard_errors = false;  ///< whether the errors are standard errors of a simulation
   std::string details = {};          ///< grid or simulated time, for tables

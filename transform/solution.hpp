@@ -31,8 +31,8 @@ inline constexpr base::EnumEntry<Status> kStatusNames[] = {
 constexpr const auto& enumerator_names(Status) { return kStatusNames; }
 constexpr std::string_view name(Status status) { return base::name_of(status); }
 
-/// Richardson extrapolation from the last two grids: limit = fine + factor (fine - coarser), where
-/// `fine` is the density of the solution.
+/// Data for the Richardson limit = fine + factor (fine - coarser), where `fine` is the density of
+/// the solution on the finest grid, and `coarser` the density on the next coarser grid.
 struct CoarserGridDensity {
   Density coarser;
   double factor;  ///< 1/(R - 1), where R is the ratio of consecutive differences between grids
@@ -44,14 +44,14 @@ struct MomentStandardErrors {
   double energy_residual = 0;
 };
 
-/// Sampling errors in L1 of the marginal densities of a simulation; empty for a marginal density
+/// L1 sampling errors of the marginal densities of a simulation; empty for a marginal density
 /// without standard errors.
 struct MarginalSamplingErrors {
   std::optional<double> y{}, ydot{};        ///< expected value of the L1 error
   std::optional<double> y_99{}, ydot_99{};  ///< 99 % quantile of the L1 error over repeated runs
 };
 
-/// A marginal over smooth bins, estimated by a simulation with control variates.
+/// A marginal density over smooth bins, estimated by a simulation with control variates.
 struct SmoothBinEstimate {
   SmoothBins bins;
   Marginal averages;               ///< averages of the density with 95 % confidence intervals
@@ -62,15 +62,15 @@ struct SmoothBinEstimate {
 /// (Roache, Journal of Fluids Engineering 116 (1994) 405).
 inline constexpr double kErrorSafetyFactor = 1.25;
 
-/// Error estimate of a solution by its own method, without sampling errors.
+/// Error estimate of a solution by the method that computed the solution, without sampling errors.
 struct ErrorEstimate {
   double y_l1 = 0;       ///< L1 error of the marginal p(y)
   double ydot_l1 = 0;    ///< L1 error of the marginal p(y')
   Moments moments = {};  ///< absolute errors of the moments
 };
 
-/// A rest atom: the probability of rest in contact with a wall. The sum of the mass of the density
-/// and the probabilities of all atoms at rest is 1.
+/// A rest atom: the probability of rest in contact with a wall. The mass of the density and the
+/// probabilities of all atoms at rest have the sum 1.
 struct RestAtom {
   double y = 0;  ///< position of the wall with the atom
   double probability = 0;
@@ -86,19 +86,22 @@ struct Solution {
   std::string reason = {};  ///< reason of the status, one sentence; empty only for status ok
   double seconds = 0;       ///< wall-clock time of the solver in seconds
 
-  /// Joint density; empty if the solver found no density, or for a solution from a saved run.
+  /// Joint density of the solution; empty if the solver found no density, and for a solution from a
+  /// saved run.
   std::optional<Density> density = {};
-  /// Marginals with confidence intervals, estimated by a simulation; empty for other solvers.
+  /// Marginal densities with confidence intervals, estimated by a simulation; empty for other
+  /// solvers.
   std::vector<std::pair<StateVariable, Marginal>> estimated_marginals = {};
-  /// Marginals over smooth bins from a simulation with control variates. The sampling errors of
-  /// marginals over smooth bins are far smaller than the sampling errors of marginals over sharp
-  /// bins. Solutions of other solvers and of saved runs have no marginals over smooth bins.
+  /// Marginal densities over smooth bins from a simulation with control variates. The sampling
+  /// errors of marginals over smooth bins are far smaller than the sampling errors of marginals
+  /// over sharp bins. Solutions of other solvers and of saved runs have no marginals over smooth
+  /// bins.
   std::vector<std::pair<StateVariable, SmoothBinEstimate>> smooth_estimates = {};
-  /// Richardson extrapolation, if the solver estimated its discretisation error from a coarser
+  /// Data for the Richardson limit, if the solver estimated its discretisation error from a coarser
   /// grid.
   std::optional<CoarserGridDensity> extrapolation = {};
 
-  /// Moments of the density; not set if there is no density.
+  /// Moments of the density; not set for a solution without a density.
   Moments moments = {};
   double mass = 0;  ///< integral of the density plus the probabilities of the atoms
   std::vector<RestAtom> atoms = {};  ///< probabilities of rest on the walls
@@ -116,12 +119,13 @@ struct Solution {
 
   const std::string& id() const { return identity.id; }
   bool has_status_ok() const { return status == Status::ok; }
-  /// Returns whether the solution has a density or a marginal, and therefore moments and a mass.
+  /// Returns whether the solution has a joint or a marginal density, and therefore moments and a
+  /// mass.
   bool has_density() const { return density || !estimated_marginals.empty() || had_density; }
 };
 
-/// Returns whether a solution has an error estimate, or a sampling error, for each of its
-/// marginals.
+/// Returns whether a solution has an error estimate, or a sampling error, for each of its marginal
+/// densities.
 bool has_error_estimate(const Solution& solution);
 
 /// Changes the status `ok` of a solution without an error estimate to `inaccurate`.
@@ -129,25 +133,25 @@ void require_error_estimate(Solution& solution);
 
 /// Changes the status `ok` of a solution to `inaccurate` if the L1 error estimate of p(y) or p(y')
 /// is missing or exceeds `accuracy`.
-/// @param reason text that states the error, to which the function appends the requested accuracy
+/// @param reason text that states the error, to which require_accuracy() appends the requested
+/// accuracy
 void require_accuracy(double accuracy, const std::string& reason, Solution& solution);
 
 const Solution* find_solution(std::span<const Solution> solutions, std::string_view id);
 
-/// Returns the marginal of a solution over the bins between `edges`. If the solver estimated a
-/// marginal over exactly these bins, the function returns this estimate, otherwise the marginal of
-/// the density.
+/// Returns the marginal density of a solution over the bins between `edges`: the estimate of the
+/// solver if the solver used exactly these bin edges, otherwise the marginal of the joint density.
 /// @throws std::logic_error if the solution has no density
 Marginal marginal(const Solution& solution, StateVariable variable, std::span<const double> edges);
 
-/// Returns the marginal of the Richardson limit of the densities on the grids of a solution.
-/// Extrapolated bin averages near 0 may be negative.
+/// Returns the marginal density of the Richardson limit from the finest and the next coarser grid
+/// of a solution. Extrapolated bin averages of a density near 0 may be negative.
 /// @throws std::logic_error if the solution has no density or no extrapolation
 Marginal richardson_limit_marginal(const Solution& solution, StateVariable variable,
                                    std::span<const double> edges);
 
-/// Returns the sampling error of the marginals over smooth bins. If the solution has no marginals
-/// over smooth bins, the result is the sampling error of the marginals over sharp bins.
+/// Returns the sampling errors of the marginals over smooth bins, or, for a solution without
+/// marginals over smooth bins, the sampling errors of the marginals over sharp bins.
 const std::optional<MarginalSamplingErrors>& smallest_known_sampling_errors(
     const Solution& solution);
 const SmoothBinEstimate* find_smooth_bin_estimate(const Solution& solution, StateVariable variable);

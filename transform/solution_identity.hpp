@@ -29,7 +29,7 @@ struct PlotStyle {
   std::string colour = "#777777";  ///< colour in the form "#RRGGBB"
   std::string dash = "solid";      ///< a dash type of gnuplot: "solid", "(10,4)"
   double width = 1.5;
-  /// Whether the plot shows points with confidence intervals instead of a line.
+  /// Whether plots show the solution as points with confidence intervals instead of a line.
   bool as_points = false;
   int layer = 1;             ///< drawing order: curves of lower layers are drawn first
   std::string symbol = "x";  ///< marker of plotly.js for a single point
@@ -42,11 +42,11 @@ struct PlotStyle {
 struct SolutionIdentity {
   std::string id;      ///< id of the solution: "epc-gaussian-n6", "fd-kf", "mcs"
   std::string method;  ///< name of the method: "epc", "fd", "mcs", or "file"
-  /// Formulation and variant of a closure, such as "gaussian" or "moment-white"; empty for other
-  /// methods.
+  /// Formulation and variant of a closure, such as "gaussian" or "moment-white"; empty for methods
+  /// other than closures.
   std::string formulation = {};
   std::optional<int> order = {};  ///< closure order: degree of its polynomial
-  /// Density equation and impact condition that were solved; empty if unknown, for example for a
+  /// Density equation and impact condition of the solution; empty if unknown, for example for a
   /// density from a file.
   std::optional<problem::DensityEquation> equation = {};
   std::optional<problem::ImpactCondition> impact = {};
@@ -66,16 +66,15 @@ inline constexpr std::string_view kExternalFile = "file", kExternalFunction = "g
 
 bool is_external(const SolutionIdentity& identity);
 
-/// Returns whether solutions of the family of this solution differ in their closure order. The
-/// result is true for closures and for external densities of a family
-/// (methods/external/external_labels.hpp).
+/// Returns whether the solutions of a family differ in their closure order: true for closures and
+/// for external densities of a family (methods/external/external_labels.hpp).
 bool differs_by_order_in_family(const SolutionIdentity& identity);
 
 /// Returns the names of the density equation and the impact condition, such as "km4/delta".
 std::string equation_and_impact_text(const SolutionIdentity& identity);
 
-/// Returns the short name of a solution within its family, such as "n6" or "kf". If the solution
-/// has no shorter name, the result is its id.
+/// Returns the short name of a solution within its family, such as "n6" or "kf". The name of a
+/// solution without a shorter name is the id of the solution.
 std::string solution_name_within_family(const SolutionIdentity& identity);
 
 }  // namespace fpkcheck::transform

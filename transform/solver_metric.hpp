@@ -15,7 +15,8 @@ namespace fpkcheck::transform {
 /// metric.
 enum class SolverMetricKind {
   result,  ///< part of the solution, which a repeated run must reproduce
-  /// Coefficient of a closed form; the last digits of coefficients are not determined.
+  /// Coefficient of a closed-form density, which a repeated run need not reproduce in the last
+  /// digits.
   coefficient,
   error,  ///< statistical error, estimated by the method
   work,   ///< diagnostics of the computation: steps, iterations, seconds, residuals
@@ -24,15 +25,16 @@ enum class SolverMetricKind {
 
 /// A quantity of a solution that only one solver returns. The path of a metric, such as
 /// "support.edge_density" or "quantiles.y[2].value", is the same in files and on the report page.
-/// Code that writes, checks or prints metrics is therefore independent of the solvers.
+/// Code that writes, checks or prints metrics is independent of the solvers.
 struct SolverMetric {
   std::string path;
   base::Value value;  ///< value; null if the quantity is absent
   SolverMetricKind kind = SolverMetricKind::result;
-  /// Path of the metric with the standard error of this metric; empty for a deterministic value.
+  /// Path of the metric that contains the standard error of the present metric; empty for a
+  /// deterministic value.
   std::string standard_error_path = {};
-  /// Lower limit `min_scale` of the scale max(|value|, min_scale), by which a change of the value
-  /// of the metric is divided.
+  /// Lower limit `min_scale` of the scale max(|value|, min_scale), by which the difference of a
+  /// metric between two runs is divided.
   double min_scale = 0.1;
   /// Whether rounding errors strongly change the value of the metric, as in far tails and in small
   /// differences.
@@ -44,10 +46,11 @@ struct SolverMetric {
 using Metrics = std::vector<SolverMetric>;
 
 const SolverMetric* find_metric(const Metrics& metrics, std::string_view path);
-/// Returns the numerical value of the metric with this path; empty if no numerical metric has this
-/// path.
+/// Returns the numerical value of the metric with the given path; empty if no numerical metric has
+/// the given path.
 std::optional<double> metric_number(const Metrics& metrics, std::string_view path);
-/// Returns the text of the metric with this path; empty if no metric with a text has this path.
+/// Returns the text of the metric with the given path; empty if no metric with a text has the given
+/// path.
 std::optional<std::string> metric_text(const Metrics& metrics, std::string_view path);
 
 class SolverMetricsBuilder {
@@ -78,16 +81,17 @@ inline base::Value value_from_optional(const std::optional<double>& number) {
 
 /// Relative residuals of the virial balance and of the momentum balance (problem/balances.hpp). A
 /// balance residual is 0 for the exact stationary density of any density equation and impact
-/// condition. The residual is empty if the solution lacks a quantity of the balance. Zero balance
-/// residuals do not prove that a density is correct.
+/// condition. A balance residual is empty if the solution lacks a quantity in the balance equation.
+/// Balance residuals of 0 do not prove that a density is correct.
 struct BalanceResiduals {
   std::optional<double> virial = {};    ///< relative residual of the virial balance
   std::optional<double> momentum = {};  ///< relative residual of the momentum balance
 };
 
-/// Adds the balance residuals as metrics "balances.virial" and "balances.momentum". Standard
-/// errors, if present, become the metrics "balances.virial_error" and "balances.momentum_error".
-/// The balance metrics are diagnostics, which a repeated run need not reproduce.
+/// Adds the residuals of the balance equations as metrics "balances.virial" and
+/// "balances.momentum". Standard errors of the residuals, if present, become the metrics
+/// "balances.virial_error" and "balances.momentum_error". The balance metrics are diagnostics,
+/// which a repeated run need not reproduce.
 void add_balance_metrics(SolverMetricsBuilder& builder, const BalanceResiduals& residuals,
                          const BalanceResiduals& standard_errors = {});
 

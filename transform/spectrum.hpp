@@ -9,17 +9,17 @@
 
 namespace fpkcheck::transform {
 
-/// Local maximum of a spectral density, and half of the width of the peak at half of its height.
+/// Local maximum of a spectral density, with the half-width of the peak at half of the maximum.
 struct SpectralPeak {
   double frequency = 0;
   double density = 0;
-  /// Half of the width of the peak at half of its height. The half-width is absent if the spectral
-  /// density exceeds half of the maximum everywhere on one side of the peak.
+  /// Half of the width of the spectral peak at half of the maximum; absent if the spectral density
+  /// exceeds half of the maximum everywhere on one side of the peak.
   std::optional<double> half_width = {};
 };
 
-/// A mode of the autocovariance, a decaying exponential: an eigenvalue -(decay_rate +- i frequency)
-/// of the generator, and its share R_mode(0) / R(0) of the variance.
+/// A mode of the autocovariance R, a decaying exponential: an eigenvalue -(decay_rate +- i
+/// frequency) of the generator, and the share R_mode(0) / R(0) of the mode in the variance.
 struct CovarianceMode {
   double decay_rate = 0, frequency = 0;
   double decay_rate_error = 0, frequency_error = 0;  ///< absolute errors
@@ -39,25 +39,26 @@ struct SpectralDensity {
   double seconds = 0;
   std::vector<double> frequencies = {};
   std::vector<double> density = {};
-  /// Absolute error of each density: estimated discretisation error, or standard error
+  /// Absolute error of the spectral density at each frequency: estimated discretisation error, or
+  /// standard error
   std::vector<double> error = {};
   bool has_standard_errors = false;  ///< whether `error` contains standard errors of a simulation
   double variance = 0;               ///< variance of the variable, from the same solution
   double variance_error = 0;
   std::optional<SpectralPeak> peak = {};  ///< highest local maximum; absent without a maximum
-  /// Autocovariance R(t) at the requested times t >= 0, and its absolute errors. A simulation has
-  /// values up to a quarter of the length of its segments.
+  /// Autocovariance R(t) at the requested times t >= 0, and absolute errors of R(t). A simulation
+  /// estimates R(t) up to a quarter of the segment length of Welch's method.
   std::vector<double> lags = {};
   std::vector<double> autocovariance = {};
   std::vector<double> autocovariance_error = {};
-  /// Modes with the largest shares of the variance; empty for a simulation
+  /// Modes of the autocovariance with the largest shares of the variance; empty for a simulation
   std::vector<CovarianceMode> modes = {};
   std::string details = {};  ///< grid or simulated time, for tables
 };
 
-/// Returns the highest local maximum of the density between the first and the last frequency. A
-/// parabola through three points interpolates the maximum. The result is empty if the spectral
-/// density has no maximum between the first and the last frequency.
+/// Returns the highest local maximum of the spectral density between the first and the last
+/// frequency, from a parabola through three points; empty if the spectral density has no maximum
+/// between the first and the last frequency.
 std::optional<SpectralPeak> find_spectral_peak(const std::vector<double>& frequencies,
                                                const std::vector<double>& density);
 
