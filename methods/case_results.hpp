@@ -16,12 +16,13 @@ struct CaseResultSettings {
   /// Whether to solve backward equations, for guaranteed bounds and moment error estimates.
   bool with_backward = true;
   ProgressListener progress = {};
-  /// Function that receives a case after its solutions are computed, and again after its bounds and
-  /// moment error estimates. If a case listener is set, a stop request prevents further solves, as
-  /// in run_cases().
+  /// Function that receives the result of a case after the solutions are computed, and again after
+  /// guaranteed bounds and moment error estimates. If a case listener is set, a stop request
+  /// prevents the computation of further solutions, as in run_cases().
   CaseListener case_listener = {};
-  /// Function that several threads call after the solutions and after each further long operation.
-  /// An exception of the function `poll` ends the computation of the case results.
+  /// Function that several threads call after the computation of the solutions and after each
+  /// further long operation. An exception of the function `poll` ends the computation of the case
+  /// results.
   std::function<void()> poll = {};
 };
 
@@ -33,15 +34,16 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
                                                       const CaseResultSettings& settings);
 
 /// Computes guaranteed bounds by backward::compute_guaranteed_bounds(). If memory does not suffice,
-/// the result has no bounds, and its `reason` is kOutOfMemory.
+/// the returned GuaranteedBounds contain no bounds, and the `reason` kOutOfMemory.
 compare::GuaranteedBounds compute_guaranteed_bounds(const problem::Problem& problem,
                                                     const backward::BoundsOptions& options);
 
 /// Computes moment error estimates and error sources of solutions by the dual-weighted residual
 /// method (backward/residual/density_error_estimator.hpp). Only solutions whose density is a
-/// function, or averages over cells of a finite-volume method, get estimates. A histogram of a
-/// simulation gets no estimate, since sampling noise is not a residual of an equation. If the
-/// backward equation cannot be solved or memory does not suffice, no solution gets an estimate.
+/// function, or averages over cells of a finite-volume method, get moment error estimates. A
+/// histogram of a simulation gets no moment error estimate, since sampling noise is not a residual
+/// of an equation. If the backward equation cannot be solved or memory does not suffice, no
+/// solution gets a moment error estimate.
 /// @param thread_count number of threads; 0 for one per processor
 void add_moment_error_estimates(results::CaseResult& case_result,
                                 const ResidualErrorEstimator& estimator, int thread_count);

@@ -12,7 +12,7 @@ namespace fpkcheck::methods {
 struct SimulationRuntimeSettings {
   std::string checkpoint = {};  ///< checkpoint file to write; if empty, none is written
   std::string resume = {};      ///< checkpoint file to resume from; empty for a new simulation
-  /// Function that returns whether the simulation must stop early and return its partial result.
+  /// Function that returns whether the simulation must stop early and return a partial result.
   std::function<bool()> stop = {};
   std::function<void(const std::string&)> warn = {};  ///< function that receives warnings
   mcs::SimulationProcessGroup process_group = {};     ///< processes that share the simulation

@@ -16,7 +16,7 @@
 namespace fpkcheck::methods {
 
 /// Function that receives the completed fraction (0 .. 1) of the work of a method, and a note on
-/// the state of the method, which may be empty.
+/// the progress of the method, which may be empty.
 using ProgressCallback = std::function<void(double, const std::string& note)>;
 
 /// The input that a method receives in addition to the problem.
@@ -24,7 +24,7 @@ struct SolverInputContext {
   const compare::ComparisonBins& axes;  ///< comparison bins, used for the histogram of a simulation
   const ProgressCallback& progress;
   /// Residual-based error estimator (set_residual_error_estimate), for methods that have no other
-  /// error estimate. The pointer may be null.
+  /// error estimate. The pointer error_estimator may be null.
   const ResidualErrorEstimator* error_estimator = nullptr;
   /// Whether the method must estimate the error of its solution. The flag `estimate_error` is false
   /// if the caller estimates the error of the solution, for example from the distance to the
@@ -36,8 +36,7 @@ struct SolverInputContext {
 struct Method {
   transform::SolutionIdentity identity;  ///< identity of the solutions
   base::Values options = {};             ///< values of the options, as stored in files
-  /// Whether the method uses all processors. While a method uses all processors, no other method
-  /// runs.
+  /// Whether the method uses all processors; while such a method runs, no other method runs.
   bool uses_all_processors = false;
   /// Function that solves a problem. The caller solve_with_method() sets the identity and options
   /// of the solution.
@@ -50,12 +49,12 @@ struct Method {
   const std::string& id() const { return identity.id; }
 };
 
-/// Solves a problem in wall coordinates (problem/walls.hpp), where the wall is at 0, and returns
-/// the solution in physical coordinates. If the solver does not support the problem, the status of
-/// the solution is `not_offered`.
+/// Solves a problem in wall coordinates (problem/walls.hpp), in which the first wall is at 0, and
+/// returns the solution in physical coordinates. If the solver does not support the problem, the
+/// status of the solution is `not_offered`.
 /// @param unsupported_reason function that returns why the solver does not support the transformed
-///   problem; an empty text for a supported problem. The text becomes the reason of the status of
-///   the solution.
+/// problem; an empty text for a supported problem. The text of unsupported_reason() becomes the
+/// reason of the status of the solution.
 /// @param solve function that solves the transformed problem on the transformed comparison axes
 transform::Solution solve_in_wall_coordinates(
     const problem::Problem& problem, const SolverInputContext& context,
@@ -64,19 +63,20 @@ transform::Solution solve_in_wall_coordinates(
         solve);
 
 /// A family of methods of one solver, with a common name, meaning and plot style. Lists of methods,
-/// glossaries and legends have one entry for each family.
+/// glossaries and legends have one entry for each family of methods.
 struct MethodFamily {
   /// Name of the family: "epc-gaussian", "fd" or "mcs". The ids of the members are NAME or begin
   /// with NAME-.
   std::string name;
   transform::SolutionRole role;  ///< role of the solutions in comparisons
   std::string meaning;           ///< one sentence on the methods of the family, for glossaries
-  /// Ids that the family name selects in a list of methods, by increasing trust.
+  /// Ids of the methods that the family name selects in a list of methods, by increasing trust.
   std::vector<std::string> default_ids;
   std::function<transform::PlotStyle(const transform::SolutionIdentity&)> plot_style;
 };
 
-/// An entry of the registry. All commands use solvers only through registry entries.
+/// A solver as an entry of the registry of solvers. All commands of the program use solvers only
+/// through entries of the registry.
 struct Solver {
   std::string name;     ///< name of the solver's command, and value of "method" in files: "epc"
   std::string summary;  ///< description in one line for `fpkcheck --help`
@@ -94,7 +94,7 @@ struct Solver {
   std::function<Method(const base::Values&)> method = {};
 };
 
-/// The functions of a solver's library, from which registry_entry_with_solver_traits() makes a
+/// Functions of the library of a solver, from which registry_entry_with_solver_traits() makes a
 /// registry entry.
 template <class Options>
 struct SolverLibraryFunctions {
@@ -113,12 +113,12 @@ struct SolverLibraryFunctions {
   /// null.
   void (*check)(const problem::Problem&, const Options&) = nullptr;
   /// Function that returns the reason why the solver does not support a problem, or an empty text.
-  /// If the pointer is null, the solver supports every problem.
+  /// If the pointer unsupported_reason is null, the solver supports every problem.
   std::string (*unsupported_reason)(const problem::Problem&, const Options&) = nullptr;
 };
 
-/// Returns a copy of a registry entry with the option descriptions, default options and functions
-/// of the solver's library.
+/// Returns a copy of a registry entry, completed with the option descriptions, default options and
+/// functions of the solver's library.
 template <class Options>
 Solver registry_entry_with_solver_traits(Solver solver,
                                          const SolverLibraryFunctions<Options>& traits) {

@@ -8,21 +8,23 @@
 
 namespace fpkcheck::methods {
 
-/// The sampling error of the average of a density over a bin, sum_k factors[k] z[first + k]. The
-/// independent variables z[i] are the errors of the density at the points i, divided by the
-/// standard errors.
+/// The sampling error of the average of a density over a bin, sum_k factors[k] z[first + k], where
+/// the independent variable z[i] is the error of the density at point i divided by its standard
+/// error.
 struct BinAverageError {
   double width;
   std::size_t first = 0;  ///< index of the first point of the density that affects the bin
-  /// Factors of the errors at the points first, first + 1, ..; empty if no point affects the bin.
+  /// Factors of the errors of the density at the points first, first + 1, ..; empty if no point
+  /// affects the bin average.
   std::vector<double> factors;
 
   double standard_error() const;
 };
 
-/// Returns the sampling errors of the averages of a density over bins. The density is linear
-/// between points with independent errors.
-/// @param knots abscissae of the points, and of the walls to which the density is extrapolated
+/// Returns the sampling errors of the averages of a density over bins. The density is taken as
+/// linear between the points, at which the errors are independent.
+/// @param knots abscissae of the points, and positions of the walls to which the density is
+/// extrapolated
 /// @param errors standard errors of the density at the points
 /// @param extrapolation whether the first or the last knot is a wall, to which the density is
 /// extrapolated linearly from the next two knots
@@ -33,8 +35,8 @@ std::vector<BinAverageError> compute_bin_average_errors(std::span<const double> 
 
 /// L1 sampling error of a density that is given by averages over bins.
 struct L1SamplingError {
-  /// Expected L1 error, the sum over bins of sqrt(2/pi) times the standard error times the bin
-  /// width.
+  /// Expected L1 sampling error, the sum over bins of sqrt(2/pi) times the standard error of the
+  /// bin average times the bin width.
   double expected = 0;
   double quantile_99 = 0;
 };

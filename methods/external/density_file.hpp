@@ -26,12 +26,12 @@ struct DensityFileContent {
 /// text nor netCDF-4
 DensityFileContent read_density_file(const std::filesystem::path& file);
 
-/// The selection of one solution of a saved run.
+/// Selection of a case and of a solution of a saved run.
 struct SavedSolutionSelection {
   std::optional<std::string> solution = {};
   std::optional<std::string> case_name = {};
-  /// Name of the case that is selected if `case_name` is empty and the run has a case with this
-  /// name.
+  /// Name of the case that is selected if `case_name` is empty and the run has a case with the name
+  /// default_case.
   std::string default_case = {};
 };
 
@@ -39,12 +39,12 @@ struct SavedSolutionSelection {
 struct ClosedFormDensityFile {
   epc::ClosedFormDensity form;
   std::optional<problem::Problem> problem = {};  ///< problem of the saved run, if any
-  /// Solution with the closed form in a saved run; has no density.
+  /// Solution of a saved run that has the closed form; the solution has no density.
   std::optional<transform::Solution> solution = {};
 };
 
-/// Reads a closed form from JSON: the file contains one closed form (epc::read_closed_form) or is
-/// the summary of a run with a closed form.
+/// Reads the closed form of a density from a JSON file, which contains one closed form
+/// (epc::read_closed_form) or is the summary of a run with a closed form.
 /// @param file_name name of the file, for messages
 /// @throws InputError with a message of one line, if the text is not JSON, or `choice` does not
 ///         select exactly one complete closed form
@@ -52,7 +52,7 @@ ClosedFormDensityFile read_closed_form_file(const std::string& text, const std::
                                             const SavedSolutionSelection& choice);
 
 /// Returns the index of the requested name in `names`. If no name is requested, `names` must have
-/// one element, and the result is its index.
+/// exactly one element, whose index 0 is returned.
 /// @param item_kind "case" or "solution", for messages
 /// @param file_name name of the file, for messages
 /// @throws InputError with a message of one line, if `names` lacks the requested name, or if no

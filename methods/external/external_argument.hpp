@@ -16,16 +16,16 @@ struct ExternalDensityArgument {
   std::optional<problem::DensityEquation> equation = {};
   std::optional<problem::ImpactCondition> impact = {};
   std::optional<int> order = {};  ///< closure order of the density, if known
-  /// Id of the solution to use, for a file with several solutions.
+  /// Id of the solution to use, if the density file has several solutions.
   std::optional<std::string> solution = {};
-  /// Name of the case to use, for a file with several cases.
+  /// Name of the case to use, if the density file has several cases.
   std::optional<std::string> case_name = {};
 };
 
-/// Parses an argument of the option --against. An argument that is the name of an existing file is
-/// not split at colons and commas.
+/// Parses an argument of the option --against. If the whole argument is the name of an existing
+/// file, the argument is not split at colons and commas.
 /// @throws InputError with a message of one line, for an unknown key, an invalid value, or an
-///         impact condition without an equation
+/// impact condition without a density equation
 ExternalDensityArgument parse_external_argument(const std::string& text);
 
 }  // namespace fpkcheck::methods

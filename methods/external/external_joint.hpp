@@ -20,12 +20,13 @@ struct ExternalJointDensity {
   bool normalise = true;                      ///< see JointDensityOptions::normalise
   std::string inadmissible_reason{};          ///< see JointDensityOptions::inadmissible_reason
   std::optional<problem::Problem> problem{};  ///< problem that the file states, if any
-  /// Density equation that the file states, if any.
+  /// Density equation that the density file states, if any.
   std::optional<problem::DensityEquation> equation{};
-  /// Impact condition that the file states, if any.
+  /// Impact condition that the density file states, if any.
   std::optional<problem::ImpactCondition> impact{};
   std::optional<int> order{};  ///< closure order that the file states, if any
-  /// Returns the values of the density, row-major, shape (points.y_points(), points.v_points()).
+  /// Returns the values of the density at the quadrature points, row-major, shape
+  /// (points.y_points(), points.v_points()).
   std::function<std::vector<double>(const problem::Problem&, const DensityQuadratureGrid&)>
       values{};
 };

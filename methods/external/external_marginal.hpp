@@ -13,7 +13,8 @@
 
 namespace fpkcheck::methods {
 
-/// Properties of a file with a marginal density and of its normalisation, for the summary of a run.
+/// Properties of a file with a marginal density and the divisor of the normalisation, for the
+/// summary of a run.
 struct MarginalFileSummary {
   std::string path;
   std::string form;  ///< form of the data: "histogram" or "points"
@@ -27,12 +28,13 @@ struct MarginalFileSummary {
 
 /// An external marginal density from a file.
 ///
-/// A file with two columns contains abscissae and densities. A file with three columns contains a
-/// histogram (is_histogram), or abscissae, densities and standard errors. Akima's modified
-/// interpolation gives the density between points. Within the bins of a histogram, the density is
-/// the derivative of a monotone cubic interpolant of the cumulative distribution. A density of y is
-/// extrapolated linearly to a wall near the first or last point (WallExtrapolation). At all other
-/// points outside the range of the file the density is 0.
+/// A marginal density file with two columns contains abscissae and densities. A marginal density
+/// file with three columns contains a histogram (is_histogram), or abscissae, densities and
+/// standard errors. Akima's modified interpolation gives the marginal density between the points of
+/// the file. Within the bins of a histogram, the density is the derivative of a monotone cubic
+/// interpolant of the cumulative distribution. A marginal density of y is extrapolated linearly to
+/// a wall near the first or last point (WallExtrapolation). At all other points outside the range
+/// of the file the marginal density is 0.
 class ExternalMarginal {
  public:
   /// @throws InputError with a message "SOURCE:LINE: problem (admissible values)"
@@ -40,17 +42,18 @@ class ExternalMarginal {
 
   transform::StateVariable variable() const { return variable_; }
 
-  /// Returns the averages of the density over bins, with 95 % confidence intervals if the file has
-  /// standard errors.
+  /// Returns the averages of the marginal density over bins, with 95 % confidence intervals if the
+  /// file has standard errors.
   transform::Marginal average_over_bins(std::span<const double> edges) const;
 
-  /// Returns the moment E[x^power] of the variable x over the range of the file.
+  /// Returns the moment E[x^power] of the variable x (y or y') over the range of the file.
   double moment(int power) const;
 
-  /// Returns the fraction of the mass outside the interval lower <= x <= upper.
+  /// Returns the fraction of the mass of the density outside the interval lower <= x <= upper.
   double mass_fraction_outside(double lower, double upper) const;
 
-  /// Returns the L1 sampling error of the averages over bins, from the standard errors in the file.
+  /// Returns the L1 sampling error of the bin averages, from the standard errors in the density
+  /// file.
   /// @pre has_standard_errors()
   L1SamplingError l1_sampling_error(std::span<const double> edges) const;
   bool has_standard_errors() const { return !errors_.empty(); }

@@ -9,9 +9,10 @@ namespace fpkcheck::methods {
 /// Returns a method whose solution is a histogram of samples over the comparison bins. The 95 %
 /// confidence intervals and the sampling errors assume independent samples. Samples at rest in
 /// contact with a wall (y' = 0 at the wall) contribute only to the moments, since the stationary
-/// distribution has an atom at this state.
+/// distribution has an atom at the state of rest.
 /// @param y, v displacement and velocity of each sample
-/// @param independent effective number of independent samples; 0 for the number of samples
+/// @param independent effective number of independent samples; 0 means that all samples are
+/// independent
 /// @throws InputError for fewer than 100 samples, different lengths of y and v, a value that is not
 /// finite, or `independent` above the number of samples. Method::check throws InputError for a
 /// sample behind a wall.
