@@ -12,8 +12,8 @@ namespace fpkcheck::results {
 std::string case_file_stem(const std::string& case_name);
 
 /// Lock on an output directory. While the lock exists, a hidden file prevents other runs from
-/// removing the directory. The destructor removes the hidden file and those directories in
-/// `created` that are empty.
+/// removing the output directory. The destructor of the lock removes the hidden file and those
+/// directories in `created` that are empty.
 class OutputDirectoryLock {
  public:
   OutputDirectoryLock() = default;
@@ -38,8 +38,8 @@ class OutputDirectoryLock {
 };
 
 /// Creates an output directory and its parents, and checks that the directory and its subdirectory
-/// figures/ are writable. The function finishes or removes incomplete files of an interrupted run.
-/// Several processes may prepare the same directory at the same time. After a failure,
+/// figures/ are writable. Incomplete files of an interrupted run are completed or removed. Several
+/// processes may prepare the same output directory at the same time. After a failure,
 /// prepare_output_directory() removes the directories that the same call created.
 /// @throws InputError with a message of one line
 [[nodiscard]] OutputDirectoryLock prepare_output_directory(const std::filesystem::path& directory);

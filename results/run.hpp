@@ -15,7 +15,7 @@
 #include "transform/solution.hpp"
 
 /// The result of a run, computed or read from the files of a saved run. Tables, figures and the
-/// report page are made from this result.
+/// report page are made from the result of a run.
 
 namespace fpkcheck::results {
 
@@ -31,19 +31,19 @@ struct DensityCurve {
   bool operator==(const DensityCurve&) const = default;
 };
 
-/// Returns the widths of the bins of a curve, shape (n).
+/// Returns the widths of the bins of a marginal density, shape (n).
 /// @pre the bins are contiguous, and have either equal widths or an edge at 0
 std::vector<double> bin_widths(const DensityCurve& curve);
 
 /// The joint density p(y, y') of one solution, as averages over cells. All joint densities of a
-/// case have the same cells.
+/// case are stored on the same cells.
 struct JointDensity {
   std::string solution;
   transform::GridDensity density;
 };
 
-/// Residual-based error estimates of the moments of a solution. Residual-based error estimates use
-/// only the density and the problem, and no other solution (docs/residuals.md).
+/// Residual-based error estimates of the moments of a solution, which use only the density and the
+/// problem, and no other solution (docs/residuals.md).
 struct MomentErrorEstimate {
   std::string solution;
   transform::Moments corrected;  ///< corrected moments: estimates of the exact moments
@@ -55,11 +55,11 @@ struct MomentErrorEstimate {
 struct MomentErrorSource {
   std::string solution;
   std::string moment;  ///< name of the moment in transform::kMoments: y2 or v2
-  /// Contributions to the error of the moment, per area of the (y, y') plane.
+  /// Contributions to the error of the moment per unit area of the (y, y') plane.
   transform::GridDensity density;
 };
 
-/// The solutions of one case, their densities and their comparison.
+/// The solutions of one case, the densities of the solutions and the comparison of the solutions.
 struct CaseResult {
   problem::Problem problem;
   std::vector<transform::Solution> solutions = {};         ///< solutions by increasing trust
@@ -70,11 +70,12 @@ struct CaseResult {
   /// Marginal densities of all solutions over smooth bins (B-spline weights); empty unless a
   /// solution has smooth estimates (compare/smooth_reference.hpp).
   std::vector<DensityCurve> smooth = {};
-  /// Moment error estimates in the order of the solutions; some solutions have no estimate.
+  /// Moment error estimates in the order of the solutions; some solutions have no moment error
+  /// estimate.
   std::vector<MomentErrorEstimate> moment_error_estimates = {};
   std::vector<MomentErrorSource> error_sources =
       {};  ///< sources of the errors of E[y^2] and E[y'^2]
-  /// Guaranteed bounds; empty if not computed.
+  /// Guaranteed bounds of the moments; empty if no bounds were computed.
   std::optional<compare::GuaranteedBounds> bounds = {};
   compare::SolutionsAssessment assessment = {};
 
@@ -82,10 +83,11 @@ struct CaseResult {
   const transform::Solution* find(std::string_view id) const {
     return transform::find_solution(solutions, id);
   }
-  /// Returns the reference (the most accurate solution of the case), or null.
+  /// Returns the reference, i.e. the most accurate solution of the case; null for a case without a
+  /// reference.
   const transform::Solution* reference_solution() const { return find(assessment.reference); }
   /// Recomputes `assessment` from the solutions, distances and error budget. Callers must call
-  /// assess() after a change of the solutions, the distances or the error budget.
+  /// update_assessment() after a change of the solutions, the distances or the error budget.
   void update_assessment() { assessment = compare::assess_solutions(solutions, pairs, budget); }
   const DensityCurve* marginal_curve(std::string_view solution,
                                      transform::StateVariable variable) const;
@@ -116,9 +118,9 @@ struct FileChecksum {
 struct Run {
   ProgramInfo program;
   std::vector<CaseResult> cases;
-  /// Sentence on the interruption of the run and the missing results; empty for a complete run.
+  /// One sentence on the interruption of the run and the missing results; empty for a complete run.
   std::string stopped = {};
-  /// Checksums of the files of a saved run from which this result was read; may be empty.
+  /// Checksums of the files of a saved run from which the result of the run was read; may be empty.
   std::vector<FileChecksum> files = {};
 };
 
@@ -127,12 +129,13 @@ struct Run {
 CaseResult make_case_result(const problem::Problem& problem, const compare::ComparisonBins& axes,
                             std::vector<transform::Solution> solutions);
 
-/// Converts a marginal density of a solution to the form in which runs store marginal densities.
+/// Converts a marginal density of a solution to a DensityCurve, the form in which runs store
+/// marginal densities.
 DensityCurve make_density_curve(compare::SolutionMarginalDensity&& marginal);
 
-/// Returns a sentence on the limiting error (the largest error) of each closure of a case. Another
-/// sentence follows if the finite-volume solution and the simulation disagree. The text is empty if
-/// the case has no error budget.
+/// Returns a sentence on the limiting error (the largest error) of each closure of a case, and a
+/// sentence on any disagreement between the finite-volume solution and the simulation. The text on
+/// limiting errors is empty if the case has no error budget.
 std::string limiting_errors_text(const CaseResult& case_result);
 
 }  // namespace fpkcheck::results

@@ -23,16 +23,16 @@ class NetCdfReader {
   std::vector<std::size_t> dimension_lengths(const std::string& variable) const;
   /// Returns the values of a numeric variable, row-major.
   std::vector<double> read_values(const std::string& variable);
-  /// Reads the texts that NetCdfWriter::write_labels wrote.
+  /// Reads the texts of a variable that NetCdfWriter::write_labels wrote.
   std::vector<std::string> read_labels(const std::string& variable);
   /// Reads the cell edges of a coordinate from its CF variable of cell bounds.
   std::vector<double> read_cell_edges(const std::string& coordinate);
   std::string read_text_attribute(const std::string& variable, const std::string& attribute) const;
 
  private:
-  /// Returns the number of values of a variable, for checks before memory is allocated.
-  /// @throws std::runtime_error if the number exceeds the limit of this program, or if the type is
-  ///         not float, double or char
+  /// Returns the number of values of a netCDF variable, for checks before memory is allocated.
+  /// @throws std::runtime_error if the number of values exceeds the limit of the program, or if the
+  /// type of the variable is not float, double or char
   std::size_t value_count(const std::string& name);
   int variable_id(const std::string& name) const;
   std::vector<int> dimension_ids(const std::string& variable) const;

@@ -9,11 +9,11 @@
 namespace fpkcheck::results {
 
 /// Writer of a netCDF-4 file in memory. Every member function throws std::runtime_error with a
-/// message of one line. A writer to disk would be unsafe: HDF5 does not recover from a full disk,
-/// and netCDF interprets some file names as network addresses.
+/// message of one line. Writing netCDF directly to disk would be unsafe: HDF5 does not recover from
+/// a full disk, and netCDF interprets some file names as network addresses.
 class NetCdfWriter {
  public:
-  /// Value that replaces the id of a variable for global attributes of the file.
+  /// Value that replaces the id of a variable for global attributes of the netCDF file.
   static constexpr int kGlobal = -1;
 
   NetCdfWriter();
@@ -33,8 +33,8 @@ class NetCdfWriter {
   int write_variable(const std::string& name, const std::vector<int>& dimensions,
                      const std::string& long_name, std::span<const double> values);
 
-  /// Defines the dimension `name`. Writes the cell centres as the coordinate variable of the
-  /// dimension, and the cell edges as the variable `name`_bounds.
+  /// Defines the dimension `name`, writes the cell centres as the coordinate variable of the
+  /// dimension, and writes the cell edges as the variable `name`_bounds.
   /// @param bounds id of a dimension of length 2
   /// @return the id of the dimension
   int write_cell_coordinate(const std::string& name, const std::string& long_name, int bounds,
@@ -48,8 +48,8 @@ class NetCdfWriter {
   template <class Number>
   int write_compressed(const std::string& name, const std::vector<int>& dimensions,
                        const std::string& long_name, std::span<const Number> values);
-  /// Writes texts along a dimension as UTF-8 characters padded with zeros, since all netCDF readers
-  /// support this form.
+  /// Writes texts along a dimension as UTF-8 characters padded with zeros, a form that all netCDF
+  /// readers support.
   /// @param dimension id of the dimension
   void write_labels(const std::string& name, int dimension, std::span<const std::string> texts);
 
@@ -58,7 +58,7 @@ class NetCdfWriter {
   void write_attribute(const std::string& name, double value, int variable = kGlobal);
   void write_attribute(const std::string& name, int value, int variable = kGlobal);
 
-  /// Closes the file and returns its bytes.
+  /// Closes the netCDF file and returns the bytes of the file.
   /// @pre no other member function is called afterwards
   std::string close_and_take_bytes();
 
