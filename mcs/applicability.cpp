@@ -67,8 +67,8 @@ std::string unsupported_functional_reason(const problem::Problem& problem,
 
 std::string unsupported_splitting_reason(const problem::Problem& problem,
                                          const SimulationOptions& options) {
-  // For a Duffing oscillator at a wall the simulation needs damping c > 0, and replaces white noise
-  // by evenly spaced impulses.
+  // For a Duffing oscillator at a wall the damping is positive, and evenly spaced impulses replace
+  // white noise, so that the energy rises at impulses only.
   if (is_duffing_at_wall(problem)) return "";
   if (!problem.system.has_polynomial_force()) {
     return "tail splitting needs a polynomial potential, and the force is a formula";

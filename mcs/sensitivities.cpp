@@ -19,18 +19,19 @@ namespace {
 using transform::kDifferentiatedMoments;
 using transform::Status;
 
-// Simulated time of each changed problem, as a fraction of the default time of a simulation, and
-// largest number of impulses, kicks and flights of all problems, with DuffingFlights and with other
-// flights: about 10 s of computing
+// Simulated time of each changed problem, as a fraction of the default simulated time, and largest
+// number of impulses, kicks and flights in all problems, with DuffingFlights and with other
+// flights, for about 10 s of computing
 constexpr double kTimeShare = 1.0 / 16, kMostDuffingChanges = 1e8, kMostOtherChanges = 4e7;
 
-// Simulates a problem and returns the moments of each trajectory stream, in the order of
+// Simulates a problem and returns the moments in each trajectory stream, in the order of
 // kDifferentiatedMoments.
 std::vector<std::vector<double>> simulate_stream_moments(const problem::Problem& problem,
                                                          const SimulationOptions& options,
                                                          const SimulationPlan& nominal) {
   // The changed problem has the sampling times and the durations of the original problem, so that
-  // the differences between equal streams contain only the effect of the parameter.
+  // the differences between corresponding trajectory streams contain only the effect of the
+  // parameter.
   SimulationPlan plan = make_simulation_plan(problem, options);
   plan.burn_in = nominal.burn_in;
   plan.sampling_interval = nominal.sampling_interval;

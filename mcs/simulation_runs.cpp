@@ -25,14 +25,14 @@ constexpr double kRarest = 1e-10;
 constexpr double kFewestVisits = 1000;
 constexpr int kMostPilots = 30;
 constexpr double kPilotTime = 0.5;  // shortest pilot run, in durations of the burn-in
-// least number of impulses in a pilot run, summed over all streams
+// Least number of impulses in a pilot simulation, summed over all trajectory streams
 constexpr double kPilotImpulses = 8 * kFewestVisits;
 constexpr double kLargestEnergy = 1e4;  // largest energy of the energy bins, in units of sigma_2^2
 
-// Returns the potential energy, with minimum 0, for the energy thresholds of the splitting. For a
-// Duffing oscillator at a wall the potential energy is that of the spring. For other oscillators
-// the potential includes the mean force of the impulses, since without the mean force the potential
-// may have no lower bound.
+// Returns the potential energy, with minimum 0, for the energy thresholds of importance splitting.
+// For a Duffing oscillator at a wall the potential energy is the potential of the spring. For other
+// oscillators the potential energy includes the potential of the mean impulse force, without which
+// the potential energy may have no lower bound.
 numerics::Polynomial splitting_potential(const problem::Problem& problem,
                                          const SimulationPlan& plan) {
   if (plan.oscillator.is_duffing_at_wall()) return problem.system.potential();
@@ -66,7 +66,8 @@ SamplingErrors current_sampling_errors(const Simulation& simulation) {
 
 struct RunProgress {
   double fraction;  ///< fraction of the required work; may exceed 1
-  /// Sampling errors; empty if neither an option nor the caller needs the errors
+  /// Current sampling errors of the simulation; empty if neither an option nor the caller needs the
+  /// sampling errors
   std::optional<SamplingErrors> errors;
   bool goal_reached;  ///< whether the requested number of samples and error are reached
 };
@@ -81,7 +82,8 @@ RunProgress current_progress(const Simulation& simulation, const SimulationOptio
   // In a simulation by several processes each process has only a part of the trajectory streams,
   // from which the sampling errors of the complete result cannot be computed.
   if (options.process_group.parts > 1) return now;
-  // In a simulation with control variates the sampling errors are known only at the end.
+  // In a simulation with control variates the sampling errors are known only at the end of the
+  // simulation.
   if (options.target_error || (options.progress && !options.controlled)) {
     now.errors = current_sampling_errors(simulation);
   }
@@ -131,7 +133,8 @@ ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
   const double largest = kLargestEnergy * plan.velocity_deviation * plan.velocity_deviation;
   const numerics::Polynomial potential = splitting_potential(problem, plan);
   SimulationPlan pilot = plan;
-  // with the inverted seed, pilot runs use random numbers that are independent of the simulation
+  // With the inverted seed, pilot simulations use random numbers that are independent of the main
+  // simulation.
   pilot.seed = ~plan.seed;
   pilot.samples_per_round =
       static_cast<std::uint64_t>(std::max(kPilotTime * plan.burn_in, kPilotImpulses / plan.streams *

@@ -99,9 +99,9 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
         simulation.trajectory_streams(),
         [&](const auto& r) { return of(power_balance_terms(problem, simulation, r)); }));
   };
-  // The weighted mean over the streams estimates a quantity that is linear in the averages of the
-  // trajectory streams. Under state-dependent noise or impulses only the difference of input power
-  // and dissipated power is linear in the averages.
+  // The weighted mean over the trajectory streams estimates only quantities that are linear in the
+  // averages of the streams. Under state-dependent noise or impulses only the difference of input
+  // power and dissipated power is linear in the averages of the streams.
   MeanEstimate residual{};
   if (problem.noise_factor || problem.impulse_factor) {
     residual = estimate_of_streams([&](const problem::PowerBalanceTerms& terms) {
@@ -123,12 +123,13 @@ void estimate_impacts(const problem::Problem& problem, const Simulation& simulat
 }
 
 /// Sets the residuals of the virial and momentum balances. The residuals of the virial and momentum
-/// balances are linear in the averages, and therefore have no sampling bias. The residual of each
-/// balance is divided by the scale of the balance, averaged over all streams.
+/// balances are linear in the averages of the trajectory streams, and therefore have no sampling
+/// bias. The residual of each balance is divided by the scale of the balance, averaged over all
+/// streams.
 void estimate_balances(const problem::Problem& problem, const Simulation& simulation,
                        const TrajectoryStreamWeights& weights, SimulationSummary& summary) {
   const problem::System& system = problem.system;
-  // The mean force and the mean virial of a formula include the damping force.
+  // If a formula states the force, mean force and mean virial include the damping force.
   const auto mean_force = [&](const TrajectoryStreamStatistics& r) {
     return system.has_polynomial_force()
                ? mean_of_polynomial_in_y(simulation, r, system.restoring_force())
@@ -144,8 +145,8 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
   const auto right_momentum = [&](const TrajectoryStreamStatistics& r) {
     return impact_momentum_rate(system.right_wall(), simulation, r.right_momentum);
   };
-  // Mean contact force on the mass at rest at a wall; 0 without atoms of the stationary law. The
-  // momentum sums over impacts already include accumulating impacts.
+  // Mean contact force on the mass at rest at a wall; 0 if the stationary law has no atoms. The
+  // sums of the momentum changes at impacts already include accumulating impacts.
   const auto contact_force_at_rest = [&](const TrajectoryStreamStatistics& r) {
     return (o.left.contact_force * r.rest_left - o.right.contact_force * r.rest_right) /
            simulation.expected_samples_per_stream();
@@ -190,7 +191,8 @@ void estimate_balances(const problem::Problem& problem, const Simulation& simula
       &transform::BalanceResiduals::momentum);
 }
 
-/// Compares the drawn impulses with the impulse law, without the weights of the trajectory streams.
+/// Estimates the difference between the power of the drawn impulses and the power by the impulse
+/// law, without the weights of the trajectory streams.
 void estimate_excess_power(const Simulation& simulation, SimulationSummary& summary) {
   const auto excess = estimate_unweighted_mean(excess_impulse_power_per_stream(simulation));
   const double input = simulation.plan_of_simulation().excitation.power;
@@ -198,8 +200,8 @@ void estimate_excess_power(const Simulation& simulation, SimulationSummary& summ
   summary.excess_power_error = excess.standard_error / input;
 }
 
-/// Sets the effective numbers of samples of the plain stream averages, and the factors by which the
-/// weights (TrajectoryStreamWeights) reduce the variances.
+/// Sets the effective numbers of samples of the unweighted means, and the factors by which the
+/// weights of the trajectory streams (TrajectoryStreamWeights) reduce the variances.
 void estimate_efficiency(const Simulation& simulation, SimulationResult& result) {
   const auto reduction = [&](int p, int q, double error) {
     const double ratio =
@@ -275,8 +277,8 @@ void estimate_densities(const Simulation& simulation, const TrajectoryStreamWeig
     summary.v_quantiles = estimate_quantiles(simulation, weights, StateVariable::ydot);
   }
   summary.crossings = estimate_upcrossing_rates(simulation, weights);
-  // The peaks are not estimated in two cases: white noise causes infinitely many maxima, and in a
-  // mirrored frame the counted maxima are minima of y.
+  // Rates of peaks are not estimated in two cases: white noise causes infinitely many maxima of y,
+  // and in a mirrored frame the counted maxima are minima of y.
   const SimulationPlan& plan = simulation.plan_of_simulation();
   if (!plan.kicks.is_acting() && !plan.frame.mirrored) {
     summary.peaks = estimate_peak_rates(simulation, weights);
@@ -320,7 +322,8 @@ std::vector<DepositedSumsOfTrajectory> stream_deposits(const Simulation& simulat
   return all;
 }
 
-/// @param unreached_goal_reason reason why the simulation did not reach its goal, or empty
+/// @param unreached_goal_reason reason why the simulation did not reach the requested accuracy, or
+/// empty
 void set_status(const SimulationPlan& plan, const SimulationOptions& options,
                 const SimulationSummary& summary, transform::Solution& solution,
                 const std::string& unreached_goal_reason) {
@@ -377,8 +380,8 @@ void require_options_for_processes(const SimulationOptions& options) {
   refuse(!options.resume.empty(), "--resume");
 }
 
-/// Collects the streams of all processes in the first process.
-/// @return whether this process is the first process
+/// Collects the trajectory streams of all processes in the first process.
+/// @return whether the calling process is the first process
 bool gather_streams(const SimulationProcessGroup& process_group, Simulation& simulation) {
   if (process_group.parts == 1) return true;
   std::ostringstream own;
@@ -392,7 +395,7 @@ bool gather_streams(const SimulationProcessGroup& process_group, Simulation& sim
 }
 
 /// Runs a simulation with twice the interval between noise kicks, for half of the simulated time.
-/// @return whether the simulation is complete; false after a stop request
+/// @return whether the simulation with the doubled interval is complete; false after a stop request
 bool run_with_doubled_kick_interval(const Simulation& simulation, const SimulationOptions& options,
                                     Simulation& doubled) {
   doubled.keep_streams_of_process(options.process_group.part, options.process_group.parts);
@@ -445,8 +448,9 @@ SimulationResult simulate_stationary_density(const problem::Problem& problem,
   solution.identity = solution_identity(options);
   const SimulationPlan plan = make_simulation_plan(problem, options);
   require_options_for_processes(options);
-  // Evenly spaced kicks would lift the mass off the wall after each interval. The simulated density
-  // would depend on the interval and would not converge as the interval tends to 0.
+  // After inelastic collapse evenly spaced kicks would lift the mass off the wall after each kick
+  // interval. The simulated density would depend on the kick interval and would not converge as the
+  // kick interval tends to 0.
   solution.reason = problem::inelastic_collapse_reason(problem, options.equation);
   if (!solution.reason.empty()) return result;
   CheckpointWriter checkpoints(options.checkpoint, [&](const std::string& warning) {

@@ -27,22 +27,23 @@ using transform::Status;
 constexpr double kPi = std::numbers::pi;
 
 // Ratio of the Nyquist frequency of the samples to the largest requested frequency. If the spectral
-// density decreases as w^-4, the alias at the largest frequency is then 3e-5 of the density
-// (alias_density()).
+// density decreases as w^-4 with the frequency w, the alias at the largest requested frequency is
+// 3e-5 of the spectral density (alias_density()).
 constexpr double kOversampling = 8;
-// Length of the periodogram segments, in decay times of the slowest mode. At the peak of a lightly
-// damped oscillator, whose half-width is the decay rate, Hann's window then lowers the density by 4
-// pi^2/(3 kLength^2), 0.13 %.
+// Length of the periodogram segments, in decay times of the slowest mode. At the spectral peak of a
+// lightly damped oscillator, whose half-width is the decay rate, Hann's window with segments of
+// kLength decay times lowers the spectral density by 4 pi^2/(3 kLength^2), 0.13 %.
 constexpr double kLength = 100;
 constexpr std::size_t kShortest = 256, kLongest = 1 << 18;  // samples of a segment
-// Length of all segments in a run with automatic time, which gives standard errors of about 1.5 %
+// Simulated time of a simulation of default duration, in segment lengths, for standard errors of
+// about 1.5 %
 constexpr double kSegments = 2500;
 // Largest number of impulses, kicks and flights of the default simulation, about 8 s of computing.
 // Recording a sample takes the computing time of kEventsPerSample events of the motion.
 constexpr double kMostSpectrumEvents = 4e7, kEventsPerSample = 0.25;
 
-// Squared magnitudes of the windowed Fourier transform, as a one-sided spectral density at the
-// frequencies 2 pi k / (segment length), k = 0 .. n/2.
+// Periodogram of a segment of n samples: squared magnitudes of the windowed Fourier transform, as a
+// one-sided spectral density at the frequencies 2 pi k / (segment length), k = 0 .. n/2.
 class Periodogram {
  public:
   Periodogram(std::size_t samples, double interval) : samples_(samples), interval_(interval) {
@@ -61,8 +62,8 @@ class Periodogram {
   double frequency_step() const { return 2 * kPi / (static_cast<double>(samples_) * interval_); }
 
   /// Returns the Fourier transform of a spectral density at the frequencies of the periodogram: the
-  /// autocovariance at the lags 0, 1 .. sample_count() - 1, in samples, times the autocorrelation
-  /// of the window.
+  /// autocovariance at the lags 0, 1 .. sample_count() - 1, in sampling intervals, times the
+  /// autocorrelation of Hann's window.
   std::vector<double> windowed_covariance(const std::vector<double>& density) {
     std::vector<std::complex<double>> half(density.begin(), density.end());
     std::vector<double> covariance;
@@ -70,14 +71,14 @@ class Periodogram {
     for (double& r : covariance) r *= kPi / interval_;
     return covariance;
   }
-  /// Returns the autocorrelation of the window at a lag in samples.
+  /// Returns the autocorrelation of Hann's window at a lag in sampling intervals.
   double window_autocorrelation(std::size_t lag) const {
     double sum = 0;
     for (std::size_t k = 0; k + lag < samples_; ++k) sum += window_[k] * window_[k + lag];
     return sum / window_power_;
   }
 
-  /// Returns the spectral density of the constant signal 1 at the frequency with index k.
+  /// Returns the windowed spectral density of the constant signal 1 at the frequency with index k.
   double density_of_constant(std::size_t k) const {
     const auto n = static_cast<double>(samples_);
     return k == 0 ? factor_ * n * n / 4 : k == 1 ? factor_ * n * n / 16 : 0;
@@ -111,14 +112,15 @@ double interpolate_density(const std::vector<double>& density, double step, doub
 
 // Sums of the periodograms of one trajectory stream
 struct StreamSpectrum {
-  // sums of periodograms over segments of the whole length, and over segments of half the length
+  // Sums of periodograms over segments of the whole length, and over segments of half the whole
+  // length
   std::vector<double> whole = {}, half = {};
   std::size_t segments = 0;
 };
 
-// Adds the periodograms of the complete segments of a series to the sums, and removes the samples
-// that no later segment needs. Each segment of a series begins in the middle of the previous
-// segment.
+// Adds the periodograms of the complete segments of a time series to the sums, and removes the
+// samples that no later segment needs. Each segment of a time series begins in the middle of the
+// previous segment.
 void add_complete_segments(std::size_t length, double centre, Periodogram& whole, Periodogram& half,
                            std::vector<double>& series, StreamSpectrum& spectrum) {
   std::size_t begin = 0;
@@ -131,8 +133,9 @@ void add_complete_segments(std::size_t length, double centre, Periodogram& whole
   series.erase(series.begin(), series.begin() + static_cast<std::ptrdiff_t>(begin));
 }
 
-// Returns the alias at the frequency w of a spectral density C w^-4 sampled with the Nyquist
-// frequency n: the sum of the densities at 2 k n - w and 2 k n + w.
+// Returns the alias, at the frequency w, of a signal with the spectral density C w^-4 and the
+// Nyquist frequency n: the sum of the spectral densities at the frequencies 2 k n - w and 2 k n +
+// w.
 double alias_density(double c, double nyquist, double w) {
   double sum = 0;
   for (int k = 1; k <= 4; ++k) {
@@ -152,11 +155,12 @@ double mean_of_series(Simulation& simulation) {
 }
 
 // Sets the autocovariance at lags up to a quarter of the segment length: the Fourier transform of
-// the averaged periodograms, divided by the autocorrelation of the window. Cubic polynomials
-// interpolate the autocovariance between the sampled lags. The error contains the part of the
-// variance above the Nyquist frequency, from the decrease C w^-4 of the density of y.
+// the averaged periodograms, divided by the autocorrelation of Hann's window. Cubic polynomials
+// interpolate the autocovariance between the sampled lags. The error of the autocovariance contains
+// the part of the variance above the Nyquist frequency, from the decrease C w^-4 of the spectral
+// density of y.
 // @param constant function of k: spectral density of the constant E[y] - centre at frequency k
-// @param tail constant C
+// @param tail constant C of the decrease C w^-4
 template <class Constant>
 void add_autocovariance(const std::vector<double>& lags, Periodogram& periodogram,
                         const std::vector<StreamSpectrum>& sums, const Constant& constant,
@@ -175,8 +179,8 @@ void add_autocovariance(const std::vector<double>& lags, Periodogram& periodogra
     }
     covariances.push_back(periodogram.windowed_covariance(density));
   }
-  // The integral of C w^-2 cos(w t), or of C w^-4 cos(w t), above the Nyquist frequency is at most
-  // the integral at t = 0, and at most twice the first term of an integration by parts.
+  // The integral over w of C w^-2 cos(w t), or of C w^-4 cos(w t), above the Nyquist frequency is
+  // at most its value at t = 0, and at most twice the first term of an integration by parts.
   const double at_nyquist = std::abs(tail) * std::pow(nyquist, of_y ? -4 : -2);
   const auto beyond_nyquist = [&](double t) {
     return at_nyquist * std::min(nyquist / (of_y ? 3 : 1), 2 / t);
@@ -282,7 +286,7 @@ transform::SpectralDensity estimate_spectrum(const problem::Problem& problem,
       std::hypot(second.standard_error, 2 * first.mean * first.standard_error);
 
   // Returns the spectral density at a frequency, from periodogram segments of one length. The
-  // density of the constant E[y] - centre, which the segments contain, is subtracted.
+  // spectral density of the constant E[y] - centre, which the segments contain, is subtracted.
   const double mean_y = moment(1, 0).mean;
   const auto estimate = [&](double w, const Periodogram& periodogram,
                             std::vector<double> StreamSpectrum::*of, double pieces) {
@@ -301,7 +305,8 @@ transform::SpectralDensity estimate_spectrum(const problem::Problem& problem,
   Periodogram of_whole(length, plan.sampling_interval);
   const Periodogram of_half(length / 2, plan.sampling_interval);
   const auto whole = [&](double w) { return estimate(w, of_whole, &StreamSpectrum::whole, 1); };
-  // Constant C of the decrease C w^-4, from the density at half the Nyquist frequency
+  // Constant C of the decrease C w^-4 of the spectral density, from the spectral density at half
+  // the Nyquist frequency
   const double tail = whole(nyquist / 2).mean * std::pow(nyquist / 2, 4);
   for (const double w : frequencies) {
     const MeanEstimate e = whole(w);

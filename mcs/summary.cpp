@@ -52,8 +52,8 @@ void add_quantile_metrics(SolverMetricsBuilder& builder, const std::string& path
 
 void add_rate_metrics(SolverMetricsBuilder& builder, const std::string& path,
                       const std::vector<RateOfEventsAtLevel>& rates) {
-  // Relative standard error of a rate from about 100 events; with fewer events the standard error
-  // itself is inaccurate.
+  // Relative standard error of an event rate that is estimated from about 100 events; with fewer
+  // events the standard error itself is inaccurate.
   constexpr double kRare = 0.1;
   add_metric_list(
       builder, path, rates, SolverMetricKind::result,

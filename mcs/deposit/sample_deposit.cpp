@@ -62,7 +62,7 @@ void require_bins(const std::string& name, const SmoothBins& bins) {
 
 using Coefficients = std::vector<double>;  // polynomial coefficients of 1, t, t^2, ..
 
-/// Returns the polynomial a p(t) + (b + c t) q(t).
+/// Returns the polynomial a p(t) + (b + c t) q(t) of two polynomials p and q.
 Coefficients combine_polynomials(double a, const Coefficients& p, double b, double c,
                                  const Coefficients& q) {
   Coefficients sum(std::max(p.size(), q.size() + 1), 0.0);
@@ -74,8 +74,8 @@ Coefficients combine_polynomials(double a, const Coefficients& p, double b, doub
   return sum;
 }
 
-/// Returns the six nonzero splines of a knot span as polynomials of t = (x - begin)/width, shape
-/// (6, 6), by the recursion of Cox and de Boor.
+/// Returns the six splines that are nonzero on a knot span, as polynomials of t = (x -
+/// begin)/width, shape (6, 6), by the recursion of Cox and de Boor.
 /// @param last_knot index of the last knot among the knots that coincide at the beginning of the
 /// span
 std::vector<Coefficients> span_splines(const std::vector<double>& knots, std::size_t last_knot) {
@@ -97,7 +97,8 @@ std::vector<Coefficients> span_splines(const std::vector<double>& knots, std::si
 }
 
 /// Appends polynomial coefficients to a table, from the highest power to the constant term. For
-/// each power of t the table has the coefficients of all polynomials of a knot span.
+/// each power of t the coefficient table has one row with the coefficients of all polynomials of a
+/// knot span.
 void append_coefficient_rows(std::vector<double>& table, const std::vector<Coefficients>& functions,
                              int highest) {
   for (int n = highest; n >= 0; --n) {
@@ -128,7 +129,8 @@ std::vector<double> lagrange_polynomials() {
 }
 
 std::vector<double> cubic_pieces() {
-  // Coefficients of the cubic B-splines M(t + 1), M(t), M(t - 1), M(t - 2) on 0 <= t <= 1.
+  // Polynomial coefficients of the cubic B-splines M(t + 1), M(t), M(t - 1), M(t - 2) on 0 <= t <=
+  // 1.
   std::vector<double> table;
   append_coefficient_rows(table,
                           {{1. / 6, -1. / 2, 1. / 2, -1. / 6},
@@ -170,7 +172,7 @@ SplineSpanPolynomials::SplineSpanPolynomials(const std::vector<double>& knots)
     std::vector<double> table;
     append_coefficient_rows(table, functions, kDegree);
     append_coefficient_rows(table, slopes, kDegree - 1);
-    // Knot spans whose spline coefficients agree up to rounding share one table.
+    // Knot spans whose spline coefficients agree up to rounding share one coefficient table.
     int place = 0;
     const auto has_same_coefficients = [&](int from) {
       return std::equal(table.begin(), table.end(), coefficients_.begin() + from,

@@ -30,10 +30,10 @@ struct IntervalOfConstantDensity {
 };
 
 /// Returns the score interval of Wilson (J. Am. Stat. Assoc. 22 (1927) 209) for rare events: the
-/// densities d with |d - mean| <= t s(d) and s^2(d) = error^2 d / mean. The variance is
-/// proportional to the density, since the visits to a bin are nearly a Poisson process. After few
+/// densities d with |d - mean| <= t s(d) and s^2(d) = error^2 d / mean. The variance s^2(d) is
+/// proportional to the density d, since the visits to a bin are nearly a Poisson process. After few
 /// visits to a bin the interval mean +- t error often misses the true density, which is more often
-/// above the interval than below.
+/// above this interval than below.
 IntervalOfConstantDensity score_interval(double mean, double error, double t) {
   const double shift = t * t * error * error / (2 * mean);
   const double half_width = std::sqrt(shift * (2 * mean + shift));
@@ -66,8 +66,8 @@ class DistributionFunction {
 
   bool is_in_range(double p) const { return p > below_.front() && p < below_.back(); }
 
-  /// Returns the quantile of the probability p, by inverting the cubic through the values at four
-  /// edges.
+  /// Returns the quantile of the probability p, by inverting the cubic through the values of the
+  /// distribution function at four bin edges.
   double quantile_of_probability(double p) const {
     const auto above = std::ranges::upper_bound(below_, p) - below_.begin();
     const auto count = static_cast<std::ptrdiff_t>(edges_.size());
@@ -100,7 +100,8 @@ class DistributionFunction {
   std::vector<double> below_;
 };
 
-/// In a mirrored coordinate the lower and the upper tail are exchanged.
+/// Transforms quantiles to physical coordinates; a mirrored coordinate exchanges the lower and the
+/// upper tail.
 std::vector<QuantileWithConfidenceInterval> to_physical_coordinates(
     const problem::WallFrame& frame, transform::StateVariable variable,
     std::vector<QuantileWithConfidenceInterval> quantiles) {
@@ -129,9 +130,9 @@ double expected_l1_error(const BinErrors& errors) {
   return sum;
 }
 
-// Multiplier bootstrap: a replicate multiplies the error contribution of each trajectory stream by
-// a random normal factor. The L1 norms of the replicates have the distribution of the L1 sampling
-// error.
+// The quantile is computed by multiplier bootstrap: each replicate multiplies the error
+// contribution of each trajectory stream by a random normal factor. The L1 norms of the bootstrap
+// replicates have approximately the distribution of the L1 sampling error.
 L1SamplingError l1_sampling_error(const BinErrors& errors) {
   constexpr int kReplicates = 400;
   // arbitrary constant seed of the bootstrap, so that runs are reproducible
@@ -171,10 +172,10 @@ MarginalDensityEstimate estimate_marginal(const Simulation& simulation,
     std::ranges::transform(sums, densities.begin(),
                            [&](const auto& stream_sums) { return stream_sums[b + 1] * unit; });
     const auto [mean, error] = weights.estimate_mean(densities);
-    // the mean density in a bin may be negative, as explained in estimate_joint_density()
+    // The mean density in a bin may be negative, as explained in estimate_joint_density().
     const double density = std::max(mean, 0.0);
-    // If no sample of n independent samples is in the bin, the probability of the bin is below 3/n
-    // at 95 % confidence ("rule of three").
+    // If no sample of n independent samples is in a bin, the probability of the bin is below 3/n at
+    // 95 % confidence ("rule of three").
     const IntervalOfConstantDensity interval =
         density > 0 ? score_interval(density, error, weights.confidence_interval_factor())
                     : IntervalOfConstantDensity{0, 3 / (effective_samples * width)};
@@ -203,8 +204,8 @@ JointDensityEstimate estimate_joint_density(const Simulation& simulation,
                                return stream.record.histogram(i + 1, j + 1) * unit;
                              });
       const auto [mean, error] = weights.estimate_mean(values);
-      // In short runs the mean of a cell in the far tails is negative if only a stream of negative
-      // weight visits the cell.
+      // In short simulations the mean density of a cell in the far tails is negative if only a
+      // trajectory stream of negative weight visits the cell.
       density.averages.push_back(std::max(mean, 0.0));
       joint.standard_errors.push_back(error);
     }

@@ -99,9 +99,9 @@ MomentEstimates estimate_moments(const Simulation& simulation,
 }
 
 std::vector<double> excess_impulse_power_per_stream(const Simulation& simulation) {
-  // Each impulse is independent of the motion before the impulse. The work of the impulses
-  // (ImpulseProcess::work) therefore has the expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt. E[v]
-  // = 0, since int v dt is the change of y and impacts do not change y.
+  // Each impulse is independent of the motion before the impulse, so that the work of the impulses
+  // (ImpulseProcess::work) has the expectation lambda int (E[Y] E[v] + E[Y^2]/2) dt. In this
+  // expectation E[v] = 0, since int v dt is the change of y and impacts do not change y.
   const double expected = simulation.plan_of_simulation().excitation.work;
   return statistic_of_each_stream(
       simulation.trajectory_streams(), [&](const TrajectoryStreamStatistics& record) {

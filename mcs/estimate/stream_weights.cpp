@@ -18,7 +18,8 @@ double sum_of_squares_about(double centre, std::span<const double> values) {
   return sum;
 }
 
-// Returns whether the control variate, the excess power, is equal in all streams up to rounding.
+// Returns whether the control variate, the excess power of the impulses, is equal in all trajectory
+// streams up to rounding.
 bool is_negligible(double square_about_mean, std::span<const double> values) {
   constexpr double kRounding = 1e-12;
   return square_about_mean <= sum_of_squares_about(0, values) * kRounding * kRounding;
@@ -56,8 +57,8 @@ MeanEstimate TrajectoryStreamWeights::estimate_mean(std::span<const double> valu
   const double x_bar = mean_of_values(values);
   double weighted = 0;
   for (std::size_t s = 0; s < size(); ++s) {
-    // The weights multiply the deviations from the plain mean, which avoids cancellation if all
-    // values are nearly equal.
+    // The stream weights multiply the deviations from the unweighted mean, which avoids
+    // cancellation if all values are nearly equal.
     weighted += weights_[s] * (values[s] - x_bar);
   }
   double square = 0;

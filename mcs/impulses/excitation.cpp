@@ -18,7 +18,8 @@ static_assert(std::is_same_v<decltype(one_of(AmplitudeLaws())), problem::Impulse
 
 int law_index(const problem::ImpulseLaw::LawVariant& law) { return static_cast<int>(law.index()); }
 
-// Returns the atoms of a law and the intervals on which the density of the law is linear.
+// Returns the atoms of an amplitude law, and the intervals on which the density of the amplitude
+// law is linear.
 template <class Law>
 std::vector<AmplitudeHistogramInterval> amplitude_intervals(const Law& law) {
   std::vector<AmplitudeHistogramInterval> ranges;
@@ -37,7 +38,8 @@ std::vector<AmplitudeHistogramInterval> amplitude_intervals(const Law& law) {
   return ranges;
 }
 
-// Returns the quantile function of a law with AmplitudeByQuantileFunction; null for other laws.
+// Returns the quantile function of an amplitude law with AmplitudeByQuantileFunction; null for
+// other amplitude laws.
 std::shared_ptr<const PiecewiseQuantileFunction> make_quantile_function(
     const problem::ImpulseLaw::LawVariant& law) {
   return std::visit(

@@ -14,8 +14,8 @@ using Piece = PiecewiseQuantileFunction::Piece;
 constexpr int kOctaves = 43;  // octaves of u below 1/2, down to 2^-44
 constexpr int kParts = 4;     // pieces of the quantile function per octave of u
 
-// Returns the coefficients of the polynomial that interpolates `of_t` at the Chebyshev points of
-// [0, 1], by Newton's divided differences.
+// Returns the coefficients of the polynomial that interpolates the function `of_t` at the Chebyshev
+// points of [0, 1], by Newton's divided differences.
 std::array<double, 8> chebyshev_interpolant(const std::function<double(double)>& of_t) {
   constexpr std::size_t kPoints = std::tuple_size_v<decltype(Piece::powers)>;
   std::array<double, kPoints> t{}, difference{}, powers{};
@@ -42,8 +42,8 @@ double PiecewiseQuantileFunction::operator()(double u) const {
                                       [](double x, const Piece& p) { return x < p.upper_end; });
   const double from = piece == pieces_.begin() ? 0 : (piece - 1)->upper_end;
   const double t = (u - from) / (piece->upper_end - from);
-  // With the densities f and g at the two ends of the piece, s solves t (f + g) = 2 f s + (g - f)
-  // s^2. The formula in the code computes the root s without cancellation.
+  // With the densities f and g at the two ends of a piece, the function s(t) solves t (f + g) = 2 f
+  // s + (g - f) s^2. The quadratic equation for s is solved without cancellation.
   const double f = piece->first_density, g = piece->last_density;
   const double s = f == g ? t : t * (f + g) / (f + std::sqrt(f * f + t * (g - f) * (g + f)));
   double sum = 0;
@@ -90,7 +90,7 @@ PiecewiseQuantileFunction interpolate_quantile_function(
   }
   ends.push_back(0.5);
   // The first piece of the quantile function is constant, since no random number u is below the end
-  // of this piece.
+  // of the first piece.
   std::vector<Piece> pieces{{ends.front(), {quantile(ends.front(), 1 - ends.front())}}};
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const double from = ends[k], length = ends[k + 1] - from;

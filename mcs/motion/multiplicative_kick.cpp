@@ -12,11 +12,12 @@ namespace {
 
 constexpr int kMostPoints = static_cast<int>(problem::Expression::kBatchPoints);
 // Tolerance of the error of an integration step of the flow dv/ds = g(y, v), relative to the
-// velocity. The errors of the kicks have random signs, and their sum over a decay time of 1000
-// kicks remains below 1e-5 of the velocity.
+// velocity v. The errors of the kicks have random signs, so that the sum of the errors over a decay
+// time of 1000 kicks remains below 1e-5 of the velocity.
 constexpr double kKickTolerance = 1e-7;
-// Shortest integration step, relative to the duration of the flow dv/ds = g(y, v). Steps become
-// this short only at jumps of g or of the slope of g, and where g is not finite.
+// Shortest integration step, relative to the duration of the flow dv/ds = g(y, v). The integration
+// uses the shortest step only at jumps of the noise factor g or of the slope of g, and where g is
+// not finite.
 constexpr double kShortestPart = 1.0 / 1024;
 
 }  // namespace
@@ -90,7 +91,8 @@ void apply_multiplicative_kicks(const StreamMotionParameters& motion,
     b.time_to_rest = -1;
     count_turning_point(motion, stream, before, b.v);
     if (motion.records) {
-      // The terms of first and second order of the work have the expectation 0 for any motion.
+      // The terms of first and second order in the work of a multiplicative kick have the
+      // expectation 0 for any motion.
       stream.record.work += g[i] * before * s[i] + g[i] * g[i] * (s[i] * s[i] - variance[i]) / 2;
     }
     b.time_to_kick = next[i];

@@ -11,8 +11,9 @@ namespace fpkcheck::mcs {
 namespace {
 
 // Impact speed, as a fraction of the velocity scale, below which the series of bounces is summed
-// with a constant force at the wall. Since the force varies during a bounce, E[y'^2] and the
-// duration of the bounces have relative errors of 1e-6, the square of kRestSpeedFraction.
+// with a constant force at the wall. Since the force varies during a bounce, the summed series of
+// bounces has relative errors of 1e-6, the square of kRestSpeedFraction, in E[y'^2] and in its
+// duration.
 constexpr double kRestSpeedFraction = 1e-3;
 
 double largest_damping(const problem::System& system, const problem::MotionScales& scales) {
@@ -60,7 +61,8 @@ void set_formula_terms(const problem::Problem& problem, SimulatedOscillator& o) 
   o.noise_factor = &*problem.noise_factor;
   o.diffusion = problem.noise.diffusion();
   o.is_force_in_ito_sense = problem.noise.interpretation == problem::NoiseInterpretation::ito;
-  // In Ito's sense the force of the flights contains the slope of g, which jumps at a kink of g.
+  // For an equation in Ito's sense the force of the free flights contains the slope of the noise
+  // factor g, which jumps at a kink of g.
   if (o.is_force_in_ito_sense && problem.noise_factor->has_kinks())
     o.has_jumps = o.has_kinks = true;
 }
@@ -75,7 +77,7 @@ void set_polynomial_coefficients(const problem::System& system, bool damping_in_
                                  SimulatedOscillator& o) {
   for (std::size_t n = 0; n < o.force.size(); ++n)
     o.force[n] = system.restoring_force().coefficient(n);
-  // The damping force c y' is part of the noise kicks.
+  // If noise kicks contain the damping force c y', the free flights have no damping force c y'.
   if (!damping_in_kicks) {
     for (std::size_t n = 0; n < o.damping.size(); ++n) {
       o.damping[n] = system.damping_polynomial().coefficient(n);
@@ -84,7 +86,8 @@ void set_polynomial_coefficients(const problem::System& system, bool damping_in_
   o.rayleigh = system.rayleigh_coefficient();
 }
 
-// Returns whether the flights are FormulaFlights, which contain all of the damping.
+// Returns whether the free flights of a problem are FormulaFlights, in which all of the damping
+// acts.
 bool has_formula_flights(const problem::Problem& problem) {
   return !problem.system.has_polynomial_force() || problem.noise_factor ||
          problem.time.has_external_force();
@@ -194,9 +197,10 @@ double restitution_at_speed(const SimulatedWall& wall, double speed) {
 }
 
 double total_bounce_time(const SimulatedWall& wall, double speed) {
-  // The geometric series of a constant r replaces the remaining bounces as soon as r(u) is close to
-  // r(0), or the remaining bounces are short. If the restitution coefficient is r(u) = 1 - O(u^a)
-  // with a < 1, some hundred bounces suffice. If a >= 1, the bounces never end.
+  // The geometric series of a constant restitution coefficient r replaces the remaining bounces as
+  // soon as r(u) is close to r(0), or the remaining bounces are short. If the restitution
+  // coefficient is r(u) = 1 - O(u^a) with an exponent a < 1, some hundred bounces suffice; for an
+  // exponent a >= 1 the bounces never end.
   constexpr int kMostBounces = 1000;
   constexpr double kTolerance = 1e-3;
   double sum = 0, u = speed;
@@ -213,8 +217,8 @@ double total_bounce_time(const SimulatedWall& wall, double speed) {
 
 namespace {
 
-// Computes the force by the formula in the case file, without a correction for Ito's sense. Behind
-// a wall, a force that is not finite is replaced by the force at the wall.
+// Computes the force by the formula in the case file, without a correction for Ito's sense. At
+// points behind a wall, a force that is not finite is replaced by the force at the wall.
 void evaluate_forces_as_written(const SimulatedOscillator& oscillator, int count, const double* y,
                                 const double* v, double* force) {
   const problem::System& system = *oscillator.system;
@@ -230,8 +234,8 @@ void evaluate_forces_as_written(const SimulatedOscillator& oscillator, int count
   }
 }
 
-// Adds a multiple of the slope G_v of G = g^2, the difference between the drifts of Ito's and
-// Stratonovich's senses.
+// Adds a multiple of the slope G_v of the squared noise factor G = g^2 to the forces; the drifts in
+// Ito's sense and in Stratonovich's sense differ by D G_v / 2.
 void add_noise_induced_drift(const SimulatedOscillator& oscillator, int count, const double* y,
                              const double* v, double multiple, double* force) {
   std::array<double, problem::Expression::kBatchPoints> inside{}, slopes{};

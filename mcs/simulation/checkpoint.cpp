@@ -120,7 +120,7 @@ CheckpointWriter::CheckpointWriter(std::string path, std::function<void(const st
   const auto there = fs::status(path_, ignored);
   if (fs::is_directory(there))
     throw InputError(write_failure_message(path_, "it is a directory; name a file"));
-  // A checkpoint must not overwrite a device, or a case file that was named by mistake.
+  // A checkpoint must not overwrite a device, or a case file whose name was given by mistake.
   if (fs::exists(there) && !(fs::is_regular_file(there) && is_checkpoint(path_))) {
     throw InputError(write_failure_message(
         path_, "the file is no checkpoint and would be lost; name another file"));
@@ -168,8 +168,8 @@ void CheckpointWriter::write_final_checkpoint(const std::string& fingerprint,
 
 void read_checkpoint(const std::string& path, const std::string& fingerprint,
                      Simulation& simulation) {
-  // Upper limit of the size of a checkpoint: all streams, the finest deposit grids, the finest
-  // bins.
+  // Upper limit of the size of a checkpoint file, sufficient for the largest number of streams, the
+  // finest deposit grids and the finest bins.
   constexpr std::size_t kMostBytes = std::size_t{1} << 30;
   const auto read = base::read_input_file(path, kMostBytes);
   const std::string name = base::to_printable_text(path);

@@ -33,8 +33,8 @@ OscillatorState InitialStateSampler::operator()(std::uint64_t seed, std::uint32_
   const auto speed = [&](double y) {
     return std::sqrt(std::max(2 * (band.energy - potential(y)), 0.0));
   };
-  // Rejection sampling draws the angle from a density proportional to half cos(angle) / speed, the
-  // residence time at y = middle + half sin(angle).
+  // Rejection sampling draws the angle from a density proportional to half cos(angle) / speed, i.e.
+  // to the residence time of the orbit at y = middle + half sin(angle).
   const auto time = [&](double angle) {
     const double v = speed(middle + half * std::sin(angle));
     return v > 0 ? half * std::cos(angle) / v : 0.0;
@@ -45,7 +45,7 @@ OscillatorState InitialStateSampler::operator()(std::uint64_t seed, std::uint32_
   for (int n = 0; n < kGridPoints; ++n) {
     longest = std::max(longest, time(angle_of((n + 0.5) / kGridPoints)));
   }
-  // safety factor for maxima of the residence-time density between the grid points
+  // Safety factor for maxima of the residence-time density between the grid points of the angle
   constexpr double kMargin = 1.2;
   double angle = 0;
   for (std::size_t k = 1; k < kImpulsesPerBlock; ++k) {

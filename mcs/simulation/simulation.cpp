@@ -21,8 +21,8 @@ constexpr std::size_t kGroup = 8;  // number of streams that a thread advances t
 
 StreamMotionParameters make_motion(const SimulationPlan& plan,
                                    const ImportanceSplitting* splitting) {
-  // Ratio of the step limits of flights between kicks and of other flights, whose Taylor
-  // polynomials have a higher order.
+  // Ratio of the step limit of flights between noise kicks to the step limit of other flights,
+  // whose Taylor polynomials have a higher order.
   constexpr double kShorter = 0.35;
   const bool has_lower_order =
       plan.kicks.is_acting() && plan.oscillator.kind != SimulatedOscillator::Kind::formula;
@@ -37,8 +37,8 @@ StreamMotionParameters make_motion(const SimulationPlan& plan,
           .deposit = plan.deposit ? &*plan.deposit : nullptr};
 }
 
-/// Returns a stream at its initial state.
-/// @param sampler null for an initial state from the folded Gaussian
+/// Returns a trajectory stream in its initial state.
+/// @param sampler sampler of the initial state; null for an initial state from the folded Gaussian
 TrajectoryStream make_stream(const SimulationPlan& plan, std::uint32_t number,
                              const InitialStateSampler* sampler) {
   ImpulseSource source(plan.excitation, plan.seed, number);
@@ -58,8 +58,8 @@ TrajectoryStream make_stream(const SimulationPlan& plan, std::uint32_t number,
                           .noise = NoiseSource(plan.seed, number)};
   if (plan.deposit) stream.record.deposit = DepositedSampleSums(plan.deposit->grid);
   if (plan.kicks.is_acting()) {
-    // The first noise kick has a random phase, so that samples are evenly distributed over the
-    // interval between kicks on average.
+    // The first noise kick has a random phase, so that the sampling times are on average evenly
+    // distributed over the interval between noise kicks.
     const double share =
         uniform_random_numbers(plan.seed, number, RandomNumberPurpose::start, kImpulsesPerBlock)
             .third[1];
@@ -108,8 +108,8 @@ void Simulation::restart_trajectory_stream(std::size_t stream, double y, double 
     branch.time_to_impulse = next.waiting_time;
     branch.amplitude = next.amplitude;
     if (plan_->excitation.arrivals == ImpulseProcess::Arrivals::even) {
-      // Evenly spaced kicks have a uniform random phase, for which the distribution function of an
-      // unused Gaussian amplitude is the random number.
+      // Evenly spaced kicks have a random phase, whose uniform random number is the distribution
+      // function at an unused Gaussian amplitude.
       const Impulse other = streams_[stream].source.next_impulse();
       const double deviations =
           (other.amplitude - plan_->excitation.mean) / plan_->excitation.width;
@@ -118,15 +118,17 @@ void Simulation::restart_trajectory_stream(std::size_t stream, double y, double 
   }
 }
 
-// Returns the forces that press the mass on the left and on the right wall at the time t.
+// Returns the contact forces that press the mass on the left wall and on the right wall at the time
+// t.
 std::array<double, 2> Simulation::contact_forces_at_time(double t) const {
   const double force = plan_->time.external_force(t);
   return {plan_->oscillator.left.contact_force - force,
           plan_->oscillator.right.contact_force + force};
 }
 
-// Sets the contact forces to the values at the time t, and ends the rest of all masses. A mass that
-// the changed contact force presses on the wall comes to rest again immediately.
+// Sets the contact forces to the values at the time t, and ends the state of rest in all trajectory
+// streams. A mass that the changed contact force presses on the wall comes to rest again
+// immediately.
 void Simulation::set_contact_forces(double t) {
   const auto [left, right] = contact_forces_at_time(t);
   set_contact_force(plan_->oscillator, left, motion_.oscillator.left);
@@ -145,7 +147,7 @@ void Simulation::advance_streams_between_times(double from, double to) {
   const std::array has_wall{oscillator.left.exists, oscillator.right.exists};
   if (!plan_->time.has_external_force() || !(has_wall[0] || has_wall[1])) return advance_to(to);
   // While a force presses the mass on a wall, the contact force is taken as constant on intervals
-  // of half a radian, since the force only determines the end of the bounces below
+  // of half a radian, since the contact force only determines the end of the bounces below
   // SimulatedWall::rest_speed. Intervals of constant contact force also end at zeros of the contact
   // force, which are searched in steps of 1/10 radian.
   constexpr double kSearchStep = 0.1, kPressedInterval = 0.5, kShortest = 1e-6;

@@ -17,45 +17,46 @@
 namespace fpkcheck::mcs {
 namespace {
 
-// Durations of simulations in units of the decay time of the slowest mode
+// Durations of simulations and of burn-ins, in units of the decay time of the slowest mode
 constexpr double kAutomaticTime = 1.6e6;
 constexpr double kBurnIn = 20;      // 20 decay times leave exp(-20) of the initial deviation
 constexpr double kLeastBurnIn = 5;  // shortest burn-in of a converged solution
 // 99 % quantile of the L1 sampling error of p(y) or p(y'), times the square root of the simulated
-// time in decay times. This product is 0.6 to 2.3 in the shipped cases with a single well and
-// without strong impact losses, and at most 4.3 in all other cases (`fpkcheck mcs CASE --json`,
-// keys sampling_l1 and time).
+// time in decay times. The product of quantile and square root is 0.6 to 2.3 in the shipped cases
+// with a single potential well and without strong impact losses, and at most 4.3 in all other
+// shipped cases (`fpkcheck mcs CASE --json`, keys sampling_l1 and time).
 constexpr double kErrorOfOneDecayTime = 2.5;
 
-// factor of the default time with splitting, since splitting multiplies the work
+// Factor of the default simulated time for importance splitting, since splitting multiplies the
+// computing work
 constexpr double kTailsShare = 1.0 / 32;
-// factor of the default time with control variates, with L1 errors over smooth bins of 3e-6 to 1e-5
-// in the cases of the paper: a third of the errors of finite volumes or less
+// Factor of the default simulated time for control variates: L1 errors over smooth bins are 3e-6 to
+// 1e-5 in the cases of the paper, at most a third of the errors of finite volumes.
 constexpr double kControlledShare = 1.0 / 32;
 
 // Limits of the number of impulses and flights in all trajectory streams. One processor simulates
-// 2e7 to 3e7 impulses and flights per second. The limit for a default simulation corresponds to a
-// few seconds of computing with flights other than DuffingFlights.
+// 2e7 to 3e7 impulses and flights per second. The limit of the number of events in a default
+// simulation corresponds to a few seconds of computing with flights other than DuffingFlights.
 constexpr double kDefaultEvents = 4e7;
 constexpr double kMostRunEvents = 2e9;  // limit for any run: about one minute of computing
-// Limit of the number of impulses and flights of the main branches with splitting, simulated in
-// half a minute (`fpkcheck_random --tails --family --count 40`). The branches that
-// splitting starts are up to 17 times as numerous as main branches, have more flights per unit
-// time, and leave half of the SIMD lanes idle.
+// Limit of the number of impulses and flights of the main branches under importance splitting, for
+// half a minute of computing (`fpkcheck_random --tails --family --count 40`). The branches that
+// importance splitting starts are up to 17 times as numerous as main branches, have more flights
+// per unit time, and leave half of the SIMD lanes idle.
 constexpr double kMostTrunkEvents = 2.5e6;
 
-// longest default time with SimulationOptions::samples or SimulationOptions::target_error, as a
-// multiple of the automatic time
+// Limit of the simulated time with SimulationOptions::samples or SimulationOptions::target_error,
+// as a multiple of the default simulated time
 constexpr double kMostAutomaticTimes = 1e4;
-// longest burn-in of all trajectory streams, as a fraction of the default time
+// Longest burn-in, summed over all trajectory streams, as a fraction of the default simulated time
 constexpr double kLongestBurnIn = 1.0 / 8;
 
 struct TrajectoryEventRates {
   double decay;  ///< decay rate of the slowest mode
   double impulses;
   double flights;  ///< rate of flights, plus the rate of noise kicks that act besides impulses
-  /// Whether the flights are DuffingFlights, which are simulated about twice as fast as other
-  /// flights
+  /// Whether the free flights are DuffingFlights, which are simulated about twice as fast as other
+  /// free flights
   bool duffing_flights = true;
   int wells = 1;
 
@@ -71,8 +72,8 @@ double default_simulated_time(const SimulationOptions& options, const Trajectory
           ? most
           : kDefaultEvents * (options.tails ? kTailsShare : 1) / rates.total_rate();
   const double enough = std::pow(kErrorOfOneDecayTime / options.accuracy, 2) / rates.decay;
-  // Whether SimulationOptions::accuracy requires more simulated time than `full`, the largest
-  // automatic time, or, with several wells, more than a minute of computing.
+  // Whether SimulationOptions::accuracy requires more simulated time than the largest default
+  // simulated time `full`, or, with several potential wells, more than a minute of computing.
   const bool is_out_of_reach = enough > full || (enough > most && rates.wells > 1);
   return std::min(full,
                   is_out_of_reach ? default_time : std::max(default_time, std::min(enough, most)));
@@ -93,11 +94,12 @@ struct SimulationDurations {
 
 /// Chooses the simulated time and the burn-in. The full simulated time is 1.6e6 decay times,
 /// reduced as in SimulationOptions::time, with L1 sampling errors of p(y) and p(y') of about 6e-4.
-/// The default simulated time is the full time if the simulation takes at most a minute with
-/// DuffingFlights, or a few seconds with other flights. If the full time would take longer, the
-/// simulation takes a few seconds, or up to a minute if SimulationOptions::accuracy requires a
-/// longer simulation. With several wells and rare transitions even a minute would not determine the
-/// masses of the wells, and the simulation takes only a few seconds.
+/// The default simulated time is the full simulated time if the computation takes at most a minute
+/// with DuffingFlights, or a few seconds with other flights. If the full simulated time would need
+/// more computing time, the simulation takes a few seconds, or up to a minute if
+/// SimulationOptions::accuracy requires a longer simulation. With several potential wells and rare
+/// transitions even a minute of computing would not determine the probabilities of the wells, and
+/// the simulation takes only a few seconds.
 SimulationDurations choose_durations(const SimulationOptions& options,
                                      const TrajectoryEventRates& rates) {
   const double automatic = default_simulated_time(options, rates);
@@ -123,16 +125,17 @@ SimulationDurations choose_durations(const SimulationOptions& options,
 constexpr double kMostSamples = 1e15;  // largest number of samples per stream
 
 constexpr int kAutomaticBins = 140;
-// interval between the noise kicks of white noise, in radians
+// Default interval between the evenly spaced kicks that replace white noise, in radians
 constexpr double kAutomaticWhiteStep = 0.05;
-// With 50 instead of 25 samples per period the sampling noise of the bins would be smaller by 1/7,
-// at a higher cost.
+// With 50 instead of 25 samples per period of the oscillation, the sampling errors of the bins
+// would be smaller by 1/7, at a higher cost.
 constexpr double kSamplesPerPeriod = 25;
-// Progress reports and interruptions occur between rounds. A round takes the least of 1/40 of the
-// default time, 1/8 of the requested time, and about 0.1 s of computing time.
+// Progress reports and interruptions of a simulation occur between rounds. A round takes the least
+// of 1/40 of the default simulated time, 1/8 of the requested simulated time, and about 0.1 s of
+// computing time.
 constexpr double kAutomaticRounds = 40;
 constexpr double kFewestRounds = 8;
-// largest number of impulses and flights of all trajectory streams in a round
+// Largest number of impulses and flights of all trajectory streams in one round of the simulation
 constexpr double kMostEvents = 2e7;
 
 std::vector<double> evenly_spaced_edges(double from, double to) {
@@ -159,7 +162,8 @@ SimulationRoundCounts choose_rounds(const SimulationOptions& options,
   const double simulated_time_per_round = std::min(
       {durations.automatic / kAutomaticRounds, time / kFewestRounds, kMostEvents / events});
   // The length of a sampling round is independent of the requested time, unless the requested time
-  // is short. A longer simulation can therefore resume from the checkpoint of a shorter simulation.
+  // is short. Because of the equal round lengths, a longer simulation can resume from the
+  // checkpoint of a shorter simulation.
   const double samples =
       std::ceil(simulated_time_per_round / options.streams / interval * (1 - 1e-12));
   const double rounds = std::ceil(time / (samples * options.streams * interval) * (1 - 1e-12));
@@ -173,11 +177,12 @@ SimulationRoundCounts choose_rounds(const SimulationOptions& options,
 }
 
 // Intervals between noise kicks in radians. With strong impact losses the noise near the wall
-// determines the motion, and the kicks must resolve this noise (measurements: docs/simulation.md).
-// With multiplicative noise the bias of the splitting is 4e-3 in E[v^4] at 0.5 rad and of second
-// order, 4e-5 at the short interval, a tenth of the standard error of a run with automatic time
-// (test MultiplicativeNoise.*). Where the force jumps in v the density has a kink, which longer
-// intervals smooth: at 0.2 rad E[y^2] of the case coulomb is 3e-3 too large.
+// determines the motion, and the noise kicks must resolve the motion near the wall (measurements:
+// docs/simulation.md). With multiplicative noise the bias of Strang splitting in E[v^4] is of
+// second order in the kick interval: 4e-3 at 0.5 rad, and 4e-5 at 0.05 rad, a tenth of the standard
+// error of a simulation of default duration (test MultiplicativeNoise.*). For a force that jumps in
+// v the density has a kink, which long kick intervals smooth: at the kick interval 0.2 rad, E[y^2]
+// of the case coulomb is 3e-3 too large.
 constexpr double kAutomaticKickStep = 0.2, kShortKickStep = 0.05;
 constexpr double kStrongLosses = 0.6;
 
@@ -197,7 +202,8 @@ double default_kick_step(const problem::Problem& problem, const problem::MotionS
              : kAutomaticKickStep;
 }
 
-/// The bin edges of y must begin at 0 only if is_duffing_at_wall().
+/// Validates options for a problem: the bin edges of y must begin at 0 only for a Duffing
+/// oscillator at a wall (is_duffing_at_wall()).
 void validate_for_problem(const problem::Problem& problem, const SimulationOptions& options) {
   if (is_duffing_at_wall(problem)) return validate(options);
   if (!options.y_edges.empty()) require_increasing_edges("mcs.y_edges", options.y_edges);
@@ -254,8 +260,8 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem,
   const ImpulseProcess excitation = make_excitation(problem, options, scales);
   const double step = options.step.value_or(kAutomaticStepInRadians);
   // The frequency at the mean energy determines the sampling interval. If most of the probability
-  // mass is at rest in contact, the frequency at the mean energy belongs to tiny bounces. The
-  // impulse rate therefore gives a lower limit of the sampling interval.
+  // mass is at rest in contact, the frequency at the mean energy belongs to tiny bounces. For this
+  // case the impulse rate gives a lower limit of the sampling interval.
   constexpr double kSamplesPerRest = 50;
   const double least =
       has_contact_atoms ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;
@@ -264,7 +270,7 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem,
   const double kick_rate = kicks.is_acting() ? 1 / kicks.longest_interval : 0;
   const SimulatedOscillator oscillator = make_oscillator(
       problem, scales, by_kicks ? problem.impulses.rate_times_moment(1) : 0, kicks.is_acting());
-  // A FormulaFlight lasts about a quarter of the time of a PolynomialFlight.
+  // A FormulaFlight covers about a quarter of the simulated time of a PolynomialFlight.
   const double flights_per_step = oscillator.kind == SimulatedOscillator::Kind::formula ? 4 : 1;
   const TrajectoryEventRates rates{
       .decay = scales.slowest_decay_rate,

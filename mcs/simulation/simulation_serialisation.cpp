@@ -27,15 +27,15 @@ void read_binary(std::istream& in, Number& number) {
   in.read(reinterpret_cast<char*>(&number), sizeof number);
 }
 
-// largest size of a list in a checkpoint whose expected size is unknown
+// Largest accepted size of a list in a checkpoint, for lists of unknown expected size
 constexpr std::uint64_t kLargestFreeSize = 100000;
 
 void require_valid_list(bool holds) {
   if (!holds) throw InputError("wrong number of entries");
 }
 
-/// Writes a list of numbers in binary form. Successive zeros are stored as the number of zeros,
-/// since most lists of statistics consist mainly of zeros.
+/// Writes a list of numbers in binary form. Successive zeros in the list are stored as the number
+/// of zeros, since most lists of statistics consist mainly of zeros.
 void write_binary(std::ostream& out, const std::vector<double>& numbers) {
   write_binary(out, std::uint64_t{numbers.size()});
   for (std::size_t k = 0; k < numbers.size();) {
@@ -52,7 +52,7 @@ void write_binary(std::ostream& out, const std::vector<double>& numbers) {
 
 /// Reads a list of numbers that write_binary() wrote.
 /// @param numbers list of the expected size; an empty list accepts any size
-/// @throws InputError if the file contains another size or another format
+/// @throws InputError if the list in the file has an unexpected size or an invalid format
 void read_binary(std::istream& in, std::vector<double>& numbers) {
   std::uint64_t size = 0;
   read_binary(in, size);
@@ -89,7 +89,7 @@ bool is_between_walls(double y, double farthest, const SimulationPlan& plan) {
 }
 
 bool has_valid_times(const TrajectoryBranch& branch, const NoiseKicks& kicks) {
-  // limit of the interval between kicks, with an allowance for rounding
+  // Upper limit of the interval between noise kicks, with an allowance for rounding
   const double longest_interval = 1.01 * kicks.longest_interval;
   const bool waits = kicks.is_acting()
                          ? branch.time_to_kick >= 0 && branch.time_to_kick <= longest_interval &&
@@ -101,11 +101,12 @@ bool has_valid_times(const TrajectoryBranch& branch, const NoiseKicks& kicks) {
 /// Returns whether the state of a branch is within the range of the motion and of the random
 /// numbers.
 bool is_valid_state(const TrajectoryBranch& branch, const SimulationPlan& plan) {
-  // largest valid speed, in units of the velocity deviation plus the largest impulse
+  // Largest valid speed of a saved state, in units of the velocity deviation plus the largest
+  // impulse
   constexpr double kFarthest = 1e4;
-  // Largest valid waiting time, in mean waiting times, and largest valid amplitude, in widths of
-  // the law. Random waiting times and amplitudes beyond these limits have the probability
-  // exp(-1000).
+  // Largest valid waiting time in a saved state, in mean waiting times, and largest valid
+  // amplitude, in widths of the amplitude law. Random waiting times and amplitudes above
+  // kRarestDraws have a probability of at most about exp(-1000).
   constexpr double kRarestDraws = 1e3;
   const ImpulseProcess& impulses = plan.excitation;
   const double strongest = std::abs(impulses.mean) + kRarestDraws * impulses.width;
@@ -154,8 +155,8 @@ void Simulation::save_state(std::ostream& out) const {
 
 void Simulation::load_state(std::istream& in) {
   read_binary(in, rounds_);
-  // Number of rounds that no simulation reaches; a file with more rounds than kMostRounds is
-  // manipulated.
+  // Number of rounds that no simulation reaches; a checkpoint file with more rounds than
+  // kMostRounds is manipulated.
   constexpr std::uint64_t kMostRounds = std::uint64_t{1} << 50;
   require_valid_state(rounds_ <= kMostRounds);
   for (TrajectoryStream& stream : streams_) load_stream(in, stream);

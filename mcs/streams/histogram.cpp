@@ -24,8 +24,8 @@ void require_increasing_edges(const std::string& name, const std::vector<double>
 
 BinFinder::BinFinder(std::vector<double> edges)
     : edges_(std::move(edges)), first_edge_(edges_.front()) {
-  // A NaN at each end of the edges stops the bin search in operator(), since comparisons with NaN
-  // are false.
+  // A NaN before the first and after the last bin edge stops the bin search in operator(), since
+  // comparisons with NaN are false.
   guarded_edges_.push_back(std::numeric_limits<double>::quiet_NaN());
   guarded_edges_.insert(guarded_edges_.end(), edges_.begin(), edges_.end());
   guarded_edges_.push_back(std::numeric_limits<double>::quiet_NaN());
