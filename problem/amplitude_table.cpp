@@ -19,8 +19,8 @@ using WeightType = AmplitudeTable::WeightType;
 using base::in_quotes;
 
 constexpr std::string_view kProbability = "probability", kDensity = "density";
-// Largest accepted magnitude of the numbers of a table, equal to kLargestMagnitude for case files.
-// Powers of such numbers are finite.
+// Largest accepted magnitude of the numbers of an amplitude table, equal to kLargestMagnitude for
+// case files; powers of accepted numbers are finite.
 constexpr double kLargest = 1e30;
 
 std::string_view weight_column_name(WeightType kind) {
@@ -47,9 +47,9 @@ class AmplitudeTableBuilder {
  public:
   explicit AmplitudeTableBuilder(WeightType kind) { table_.kind = kind; }
 
-  /// Appends a row of an amplitude and its weight to the table.
+  /// Appends a row with an amplitude and its weight to the amplitude table.
   /// @param at beginning of the error message: the file and the line of the row
-  /// @throws InputError "AT .." for an invalid row
+  /// @throws InputError "AT .." for an invalid row of the amplitude table
   void add_row(std::string_view row, char separator, const std::string& at) {
     const auto cut = row.find(separator);
     const auto amplitude = parse_table_number(row.substr(0, cut));
@@ -75,8 +75,8 @@ class AmplitudeTableBuilder {
     table_.weight.push_back(*weight);
   }
 
-  /// Returns the table of all added rows, normalised to the sum or integral 1.
-  /// @throws InputError "AT .." for an invalid table
+  /// Returns the amplitude table of all added rows, normalised to the sum or integral 1.
+  /// @throws InputError "AT .." for an invalid amplitude table
   AmplitudeTable finish_table(const std::string& at) && {
     if (table_.amplitude.size() < 2) fail(at, "fewer than two rows: Y must vary");
     double sum = 0;
@@ -94,7 +94,7 @@ class AmplitudeTableBuilder {
                            table_.kind == WeightType::probability ? "sums to" : "integrates to",
                            sum, kTableSumTolerance));
     }
-    // The standard deviation of the table must exceed rounding errors, and powers of the
+    // The standard deviation of the amplitude table must exceed rounding errors, and powers of the
     // standardised amplitudes must be finite.
     constexpr double kLeastSpread = 1e-30, kLeastOfSize = 1e-9, kLeastShare = 1e-20;
     const double first = table_.amplitude.front(), last = table_.amplitude.back();
@@ -105,8 +105,8 @@ class AmplitudeTableBuilder {
            fmt::format("the table's amplitudes, {} .. {}, have a negligible variance: Y must vary",
                        first, last));
     }
-    // A table whose sum deviates from 1 by at most kRounding is not normalised, so that a table
-    // that is written and read again is unchanged.
+    // An amplitude table whose sum deviates from 1 by at most kRounding is not normalised, so that
+    // writing and reading do not change an amplitude table.
     constexpr double kRounding = 1e-12;
     if (std::abs(sum - 1) > kRounding) {
       for (double& weight : table_.weight) weight /= sum;
@@ -122,8 +122,8 @@ class AmplitudeTableBuilder {
   AmplitudeTable table_;
 };
 
-// Computes the moment E[(Y - about)^power] for power 1 or 2. Simpson's rule is exact, since the
-// density is piecewise linear and the integrand at most cubic.
+// Computes the moment E[(Y - about)^power] for power 1 or 2. Simpson's rule is exact for the
+// moment, since the density is piecewise linear and the integrand at most cubic.
 double moment_about(const AmplitudeTable& table, double about, int power) {
   const auto value = [&](double y) { return power == 1 ? y - about : (y - about) * (y - about); };
   double sum = 0;
@@ -143,7 +143,7 @@ double moment_about(const AmplitudeTable& table, double about, int power) {
 }  // namespace
 
 double AmplitudeTable::amplitude_mean() const {
-  // A mean amplitude below kRounding times the width of the table is set to 0.
+  // A mean amplitude below kRounding times the range of the amplitudes is set to 0.
   constexpr double kRounding = 1e-15;
   const double first = amplitude.front(), last = amplitude.back(), middle = (first + last) / 2;
   const double mean = middle + moment_about(*this, middle, 1);

@@ -69,7 +69,7 @@ const base::Parameter& case_file_parameter(std::string_view key,
 
 namespace {
 
-// The text of a value, and its location in the case file or in an override.
+// The text of a value, and the location of the value in the case file or in an override.
 struct CaseFileSetting {
   std::string text, where;
 };
@@ -104,7 +104,7 @@ void apply_overrides(const std::vector<std::string>& overrides, const std::strin
     }
     settings[key] = {boost::algorithm::trim_copy(pair.substr(equals + 1)), where};
   }
-  // A formula of the force replaces the coefficients of the file.
+  // A force formula replaces the force coefficients of the case file.
   if (set.contains(kForceKey)) {
     std::erase_if(settings, [&](const auto& setting) {
       const std::string& key = setting.first;
@@ -124,8 +124,8 @@ bool formula_uses_name(std::string_view formula, std::string_view name) {
   return false;
 }
 
-// Requires that a formula uses each constant that an override adds. Without this requirement an
-// override with a misspelt name would have no effect.
+// Requires that a formula uses each constant that an override adds, since otherwise an override
+// with a misspelt constant name would have no effect.
 void require_used_constants(const CaseFileSettings& from_file, const CaseFileSettings& settings) {
   for (const auto& [key, setting] : settings) {
     if (!key.starts_with(kConstantsPrefix) || from_file.contains(key)) continue;
@@ -144,7 +144,8 @@ void require_used_constants(const CaseFileSettings& from_file, const CaseFileSet
 constexpr const char *kLaw = "impulse.law", *kTable = "impulse.table", *kMean = "impulse.mean",
                      *kIntensity = "impulse.intensity", *kRate = "impulse.rate";
 
-// Replaces the file name in `impulse.table` by the table literal of the contents of the file.
+// Replaces the file name in `impulse.table` by the table literal of the amplitude table in the
+// file.
 void load_amplitude_table(CaseFileSettings& settings, const std::filesystem::path& folder) {
   const auto table = settings.find(kTable);
   if (table == settings.end()) return;
@@ -222,7 +223,7 @@ std::optional<CaseFileSection> parse_named_constants(const CaseFileSettings& set
   return section;
 }
 
-// Returns the location of the setting whose key is the first word of the message.
+// Returns the location of the setting whose key is the first word of an error message.
 std::optional<std::string> setting_location(const std::string& message,
                                             const CaseFileSettings& settings) {
   for (const auto& [key, setting] : settings) {
@@ -257,7 +258,7 @@ void require_valid_case_name(const std::string& name) {
 }
 
 // Returns the text of the parameters that overrides change, such as ", r = 0.9, laplace impulses".
-// The text is appended to Problem::name.
+// The text of the overridden parameters is appended to Problem::name.
 std::string overridden_parameters_text(const CaseFileSettings& from_file, const Problem& problem) {
   constexpr std::size_t kLongest = 100;
   std::string text;
@@ -271,7 +272,7 @@ std::string overridden_parameters_text(const CaseFileSettings& from_file, const 
     if (value) value = reported_parameter_value(parameter, *value);
     if (value == displayed.value) continue;
     ++count;
-    // Numbers have all digits, so that different problems have different names.
+    // The numbers in a case name have all digits, so that different problems have different names.
     if (const auto* number = std::get_if<double>(&displayed.value)) {
       text += fmt::format(", {} = {}", displayed.symbol, *number);
     } else if (parameter.display_text) {

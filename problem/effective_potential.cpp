@@ -16,19 +16,20 @@ struct RootSearchInterval {
   double low, high;
 };
 
-// Returns the interval in which the roots of a polynomial are searched. The ends of the interval
-// are the walls; on a side without a wall the end is a bound of all roots. For a polynomial of a
-// single term, whose root is 0, root_modulus_bound() is 1, so that the interval contains the root.
+// Returns the interval in which the roots of a polynomial are searched. The ends of the search
+// interval are the walls; on a side without a wall the end is a bound of all roots. For a
+// polynomial of a single term, whose root is 0, root_modulus_bound() is 1, so that the search
+// interval contains the root.
 RootSearchInterval search_interval(const numerics::Polynomial& polynomial, const System& system) {
   const double bound = 2 * numerics::root_modulus_bound(polynomial) + 1;
   return {.low = system.left_wall() ? system.left_wall()->position : -bound,
           .high = system.right_wall() ? system.right_wall()->position : bound};
 }
 
-// Least and largest magnitude of the knots at which the potential of a formula is tabulated. The
-// knots are powers of sqrt 2 with both signs.
+// Least and largest magnitude of the knots at which the potential of a force formula is tabulated.
+// The knots of the tabulated potential are powers of sqrt 2 with both signs.
 constexpr double kNearestKnot = 1e-12, kFarthestKnot = 1e30;
-// The potential of a formula counts as infinite above kLargestPotential.
+// The potential of a force formula counts as infinite above kLargestPotential.
 constexpr double kLargestPotential = 1e200;
 
 }  // namespace
@@ -87,8 +88,8 @@ void EffectivePotential::tabulate_potential() {
   for (std::size_t n = middle; n-- > 0;) add(n + 1, n);
 
   const auto &left = system_.left_wall(), &right = system_.right_wall();
-  // Sign changes of the slope V' of the potential are searched on subdivisions of the table's
-  // panels.
+  // Sign changes of the slope V' of the potential are searched on subdivisions of the intervals
+  // between the knots.
   constexpr int kDivisions = 4;
   double before = left ? left->position : knots_.front();
   low_ = left ? left->position : -1;
@@ -111,9 +112,10 @@ void EffectivePotential::tabulate_potential() {
     if (!left) low_ = 2 * std::min(extrema_.front(), 0.0) - 1;
     if (!right) high_ = 2 * std::max(extrema_.back(), 0.0) + 1;
   }
-  // V is unbounded if V increases over the last octave of the table by more than rounding errors.
-  // The mean slope over the octave must also exceed 5 standard errors of the sampled slopes, since
-  // samples do not resolve the mean of an oscillating force such as sin(y).
+  // The potential V counts as unbounded if V increases over the last octave of the knots by more
+  // than rounding errors. For an unbounded potential, the mean slope over the last octave must also
+  // exceed 5 standard errors of the sampled slopes, since samples do not resolve the mean of an
+  // oscillating force such as sin(y).
   const auto rises = [&](double far) {
     const double at_far = integrate_force_up_to(far), before_far = integrate_force_up_to(far / 2);
     if (at_far >= kLargestPotential) return true;
@@ -125,7 +127,7 @@ void EffectivePotential::tabulate_potential() {
       sum += outward;
       squares += outward * outward;
     }
-    // The standard error of the mean slope is at most the root mean square divided by
+    // The standard error of the mean slope is at most the root mean square of the slopes divided by
     // sqrt(kSamples).
     const double mean = sum / kSamples, rms = std::sqrt(squares / kSamples);
     return mean > 5 * rms / std::sqrt(kSamples) &&

@@ -10,12 +10,12 @@
 namespace fpkcheck::problem {
 namespace {
 
-// Densities below exp(-kDepth) times the largest density are neglected.
+// Energies at which the density is below exp(-kDepth) times the largest density are neglected.
 constexpr double kDepth = 60;
 constexpr int kBandCount = 300;
 constexpr const char* kNoDissipation =
     "damping and impacts dissipate no energy at large amplitudes";
-// Maximum number of wells of a potential of degree 6 between two walls.
+// Maximum number of wells of a polynomial potential of degree 6 between two walls.
 constexpr std::size_t kMaxBranches = 4;
 
 }  // namespace
@@ -42,8 +42,8 @@ bool EnergyAveraging::find_energy_range(double& low, double& high) {
   struct Level {
     double above, phi;
   };
-  // Returns the derivative dPhi/dh at an energy from integrals over all orbits with this energy;
-  // nullopt if no orbit has this energy.
+  // Returns the slope dPhi/dh at a given energy from integrals over all orbits of the given energy;
+  // nullopt if no orbit has the given energy.
   const auto slope_at = [&](double above) -> std::optional<double> {
     double loss = 0, diffusion = 0;
     for (const HalfCycle& half_cycle : orbits_.half_cycles(bottom + above)) {
@@ -93,7 +93,7 @@ bool EnergyAveraging::find_energy_range(double& low, double& high) {
 void EnergyAveraging::compute_energy_bands(double lowest, double highest) {
   step_ = (highest - lowest) / kBandCount;
   // The energy bands are computed from the largest energy downwards, so that the parent of each
-  // band in the tree is already known.
+  // energy band in the tree is already known.
   std::vector<EnergyBand> from_top;
   std::size_t upper_begin = 0, upper_end = 0;
   for (int n = kBandCount - 1; n >= 0; --n) {
@@ -134,8 +134,8 @@ void EnergyAveraging::compute_energy_bands(double lowest, double highest) {
   bands_.assign(from_top.rbegin(), from_top.rend());
 }
 
-// Inverse iteration solves equations with the matrix K by elimination from the leaves of the tree,
-// which creates no new nonzeros.
+// Inverse iteration solves linear equations with the graph Laplacian K by elimination from the
+// leaves of the tree, which creates no new nonzeros.
 double slowest_relaxation_rate(const EnergyDiffusionTree& tree,
                                std::vector<double> initial_vector) {
   std::vector<double>& u = initial_vector;
@@ -155,8 +155,8 @@ double slowest_relaxation_rate(const EnergyDiffusionTree& tree,
   double gamma = 0;
   for (int iteration = 0; iteration < 60; ++iteration) {
     // The upward flux from a node equals the sum of the sources below the node, and also minus the
-    // sum of all other sources. Of these two sums the code uses the sum over the side of smaller
-    // probability, which has smaller rounding errors.
+    // sum of all other sources. To reduce rounding errors, the upward flux is computed from the
+    // sources on the side of smaller probability.
     std::vector<double> below(n), mass_below(n), elsewhere(n), next(n);
     for (std::size_t b = 0; b < n; ++b) {
       below[b] += mass[b] * u[b];
@@ -168,7 +168,8 @@ double slowest_relaxation_rate(const EnergyDiffusionTree& tree,
     for (std::size_t b = n; b-- > 0;) {
       const std::size_t parent = above[b];
       if (parent == b) continue;
-      // Sum over the branches of the tree that merge with this branch at the parent node.
+      // Sum over the other branches of the tree that merge with the branch of node b at the parent
+      // node.
       double beside = 0;
       for (std::size_t other = b; other-- > 0 && b - other < kMaxBranches;) {
         if (above[other] == parent) beside += below[other];

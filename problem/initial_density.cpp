@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kReachedDeviations = 6;
 
-// Returns the largest energy v^2/2 + V(y) between the walls, on the ellipse of
-// kReachedDeviations standard deviations of the initial density.
+// Returns the largest energy v^2/2 + V(y) between the walls, on the ellipse at kReachedDeviations
+// standard deviations from the mean of the initial density.
 double max_initial_energy(const System& system, const EffectivePotential& potential,
                           const InitialGaussian& start) {
   constexpr int kDirections = 120;
@@ -45,7 +45,8 @@ InitialGaussian initial_density(const Problem& problem, const MotionScales& scal
       .velocity_deviation =
           options.velocity_deviation.value_or(kDefault * scales.velocity_deviation),
       .mean_displacement = has_equivalent_linearisation(problem) ? 0 : scales.centre};
-  // The mean displacement in a symmetric well is 0 up to rounding errors.
+  // The mean displacement in a symmetric potential well is 0 up to rounding errors, which are
+  // removed.
   constexpr double kRounding = 1e-12;
   if (std::abs(start.mean_displacement) < kRounding * start.displacement_deviation) {
     start.mean_displacement = 0;

@@ -12,8 +12,8 @@
 namespace fpkcheck::problem {
 namespace {
 
-// Distance in standard deviations from the mean to the ends of the motion. At this distance a
-// Gaussian density is exp(-7^2/2) times its peak.
+// Distance from the mean to the ends of the motion, in standard deviations: 7 standard deviations
+// from the mean, a Gaussian density is exp(-7^2/2) times its peak.
 constexpr double kDeviations = 7;
 
 MotionScales scales_from_linearisation(const Problem& problem) {
@@ -29,9 +29,10 @@ MotionScales scales_from_linearisation(const Problem& problem) {
           .slowest_decay_rate = slowest_decay_rate(linear)};
 }
 
-// Returns the smallest positive eigenvalue of the overdamped motion on a uniform grid. Far above
-// critical damping the drift of the displacement is v = -V'/c, and the displacement is a diffusion
-// process with the coefficient D_eff / c^2 in the potential c V / D_eff.
+// Returns the smallest positive eigenvalue of the overdamped motion, discretised on a uniform grid
+// of displacements. Far above critical damping the drift of the displacement is v = -V'/c, and the
+// displacement is a diffusion process with the coefficient D_eff / c^2 in the potential c V /
+// D_eff.
 double overdamped_relaxation_rate(const Problem& problem, const MotionScales& scales,
                                   double damping) {
   constexpr std::size_t kCells = 200;

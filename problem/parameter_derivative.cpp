@@ -26,7 +26,7 @@ double* find_parameter_value(std::vector<CaseFileSection>& sections, const std::
   return nullptr;
 }
 
-// Returns the problem with another value of a parameter; nullopt if the value is invalid.
+// Returns the problem with a changed value of a parameter; nullopt if the changed value is invalid.
 std::optional<Problem> with_parameter_value(const Problem& problem, const std::string& parameter,
                                             double value) {
   auto changed = case_file_sections(problem);
@@ -68,8 +68,8 @@ ParameterDifferenceQuotient parameter_difference_quotient(const Problem& problem
   const auto at = [&](double steps) {
     return with_parameter_value(problem, parameter, *value + steps * step);
   };
-  // A function of a parameter may change strongly close to an end of the parameter's range. The
-  // step of the difference quotient is therefore at most about a quarter of the distance from the
+  // Since a function of a parameter may change strongly close to an end of the parameter's range,
+  // the step of the difference quotient is at most about a quarter of the distance from the
   // parameter value to the end of the range.
   constexpr int kMostHalvings = 5;
   for (int n = 0; n < kMostHalvings && (!at(4) || !at(-4)); ++n) step /= 2;
@@ -79,7 +79,8 @@ ParameterDifferenceQuotient parameter_difference_quotient(const Problem& problem
     derivative.terms = {{1 / (2 * step), std::move(*above)}, {-1 / (2 * step), std::move(*below)}};
     return derivative;
   }
-  // One-sided difference quotient F' ~ +-(-3 F(0) + 4 F(1) - F(2)) / (2 step), upwards or downwards
+  // One-sided difference quotient F' ~ +-(-3 F(0) + 4 F(1) - F(2)) / (2 step) of a function F,
+  // towards larger or smaller parameter values
   for (const double sign : {1.0, -1.0}) {
     auto first = at(sign), second = at(2 * sign);
     if (!first || !second) continue;

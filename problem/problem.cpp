@@ -31,7 +31,7 @@ Owner read_section(const std::vector<CaseFileSection>& sections, const std::stri
 
 constexpr const char *kSystem = "system", *kParameters = "parameters", *kForce = "force";
 
-// Reads [system]. A formula of the force replaces all coefficients.
+// Reads the section [system], in which a force formula replaces all coefficients.
 SystemCoefficients read_system_coefficients(base::Values values) {
   if (base::contains(values, kForce)) {
     for (const auto& parameter : system_parameter_description().parameters()) {
@@ -62,7 +62,7 @@ NamedConstants read_named_constants(const std::vector<CaseFileSection>& sections
   return constants;
 }
 
-// Sets the factor of multiplicative noise, and the force in Ito's sense.
+// Sets the factor of multiplicative noise, and the force of the equation in Ito's sense.
 void set_noise_factor(Problem& problem) {
   const WhiteNoise& noise = problem.noise;
   if (noise.interpretation && !noise.factor) {
@@ -94,7 +94,7 @@ void set_impulse_factor(Problem& problem) {
       Expression::parse(*formula, problem.system.named_constants(), "impulse.factor", "y"));
 }
 
-// Sets the changes of the excitation in time.
+// Sets the time dependence of the excitation from the section [time].
 void set_time_dependence(const std::vector<CaseFileSection>& sections, Problem& problem) {
   const auto formulas = read_section(sections, "time", time_parameter_description());
   problem.time = ExcitationTimeDependence(formulas, problem.system.named_constants());
@@ -104,8 +104,8 @@ void set_time_dependence(const std::vector<CaseFileSection>& sections, Problem& 
   if (problem.time.has_intensity_factor() && !problem.noise.is_acting()) {
     throw InputError("time.intensity is given without [noise]; remove it, or add noise");
   }
-  // The equations of Ito and Stratonovich differ by the drift D G_v / 2. Under an intensity that
-  // changes in time, the drift would also change in time.
+  // The equations in Ito's sense and in Stratonovich's sense differ by the drift D G_v / 2, which
+  // would change in time under a time-dependent noise intensity D.
   if (problem.time.has_intensity_factor() && problem.noise_factor &&
       problem.noise_factor->depends_on_v()) {
     throw InputError(
@@ -313,8 +313,9 @@ std::string non_default_parameters_text(const Problem& problem, bool typeset) {
 
 namespace {
 
-// Requires that force and factors are finite, the noise factor positive, and the restitution
-// coefficients valid, on a grid of the states that the motion reaches.
+// Requires that the force and the factors of noise and impulses are finite, the noise factor is
+// positive, and the restitution coefficients are valid, on a grid of the states that the motion
+// reaches.
 void require_valid_formulas(const Problem& problem, const EnergyAveraging& averaging) {
   const System& system = problem.system;
   if (system.has_polynomial_force() && !problem.noise_factor && !problem.impulse_factor &&

@@ -64,7 +64,8 @@ constexpr ForceMonomial kMonomials[] = {
     {5, 0, &SystemCoefficients::quintic},     {0, 1, &SystemCoefficients::damping},
     {2, 1, &SystemCoefficients::van_der_pol}, {0, 3, &SystemCoefficients::rayleigh}};
 
-// Requires that the coefficient of y^i v^j in a formula is within the limits of every coefficient.
+// Requires that the coefficient of y^i v^j in a force formula is within the limits for coefficients
+// of the case file.
 void require_magnitude_in_range(int i, int j, double coefficient) {
   const double magnitude = std::abs(coefficient);
   if (magnitude >= kSmallestMagnitude && magnitude <= kLargestMagnitude) return;
@@ -74,8 +75,8 @@ void require_magnitude_in_range(int i, int j, double coefficient) {
       coefficient, i, j, kSmallestMagnitude, kLargestMagnitude));
 }
 
-// Sets the coefficients of a polynomial formula. Returns false if the formula contains a term that
-// is not in kMonomials.
+// Sets the force coefficients from a polynomial force formula; returns false if the formula
+// contains a term that is not in kMonomials.
 bool set_coefficients_of_formula(const Expression& formula, SystemCoefficients& c) {
   for (const ForceMonomial& term : kMonomials) c.*term.coefficient = 0;
   const auto polynomial = formula.polynomial_coefficients();

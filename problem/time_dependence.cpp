@@ -64,9 +64,10 @@ namespace {
 
 constexpr int kSampledTimes = 4096;
 
-// Returns the sampled time with the index k = 0 .. kSampledTimes. The sampled times with an even
-// index k are equidistant. The sampled times with an odd index k are multiples of the golden ratio
-// modulo 1, in units of `until`; the distances between these times have no period.
+// Returns the sampled time with the index k = 0 .. kSampledTimes in the time span 0 .. `until`. The
+// sampled times with an even index k are equidistant. The sampled times with an odd index k are
+// multiples of the golden ratio modulo 1, in units of `until`, so that the distances between
+// sampled times have no period.
 double sampled_time(int k, double until) {
   return k % 2 == 0 ? until * k / kSampledTimes : until * std::fmod(k * std::numbers::phi, 1.0);
 }
@@ -88,7 +89,8 @@ double largest_value(const char* key, const Function& function, double until) {
 }
 
 // Returns the largest value of a factor between 0 and `until`.
-// @throws InputError if the factor is negative at a sampled time, or 0 at all sampled times
+// @throws InputError if the time-dependent factor is negative at a sampled time, or 0 at all
+// sampled times
 template <class Function>
 double largest_factor(const char* key, const Function& factor, double until) {
   const auto not_negative = [&](double t) {
@@ -109,7 +111,8 @@ double largest_factor(const char* key, const Function& factor, double until) {
   return largest;
 }
 
-// Requires that all functions of time have the period `period`.
+// Requires that rate, noise intensity and force of a time-dependent excitation have the period
+// `period`.
 void require_excitation_period(const ExcitationTimeDependence& time, double period) {
   if (!time.is_acting()) {
     throw InputError(
@@ -192,7 +195,8 @@ MotionExtent forced_motion_extent(const Problem& problem, const TimeSpan& span) 
   const System& system = problem.system;
   const EffectivePotential potential(system);
   // A time step of the forced motion is 1/50 radian of the local frequency, since an extent of the
-  // motion accurate to 1 % suffices. The integration of the motion ends after kMostSteps steps.
+  // motion accurate to 1 % suffices. The integration of the forced motion ends after kMostSteps
+  // steps.
   constexpr double kStep = 0.02, kDecayTimes = 5;
   constexpr int kMostSteps = 1000000;
   const double end =

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int kRootBits = 50;  // number of correct bits of a turning point
 
-// Returns the mean of the damping coefficients at the velocities v and -v, that is, the odd part of
-// the damping force divided by v.
+// Returns the mean of the damping coefficients at the velocities v and -v, that is, the part of the
+// damping force that is odd in v, divided by v.
 double mean_damping(const System& system, double y, double v) {
   if (system.has_polynomial_force()) {
     return system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v;
@@ -27,8 +27,8 @@ double mean_damping(const System& system, double y, double v) {
 }  // namespace
 
 UndampedOrbits::UndampedOrbits(const Problem& problem) : problem_(problem), potential_(problem) {
-  // The potential V is monotone between neighbouring knots. The slope of the potential V after a
-  // knot decides whether the knot is a minimum.
+  // The potential V is monotone between neighbouring knots. The slope of the potential V between a
+  // knot and the next knot decides whether the knot is a minimum.
   std::vector<double> knots{potential_.y_low()};
   knots.insert(knots.end(), potential_.extremum_positions().begin(),
                potential_.extremum_positions().end());
@@ -64,7 +64,7 @@ double UndampedOrbits::find_turning_point(double knot, double direction, double 
     return potential_(knot + direction * distance) - energy;
   };
   // The distance of the turning point from the knot lies between two powers of two. The exponents
-  // of the two powers are found by doubled steps from the distance 1, then by bisection.
+  // of the two powers of two are found by doubled steps from the distance 1, then by bisection.
   const int least = std::ilogb(std::max(std::abs(knot) * 1e-8, 1e-30));
   const auto is_above = [&](int exponent) { return !(above(std::ldexp(1.0, exponent)) < 0); };
   int inside = 0, outside = 0;
@@ -134,13 +134,14 @@ OrbitIntegrals UndampedOrbits::orbit_integrals(const HalfCycle& half_cycle, doub
     return std::sqrt(std::max(0.0, 2 * (energy - potential_(y))));
   };
   const double impulse_diffusion = problem_.impulses.rate_times_moment(2) / 2;
-  // Closed integrals of D G v dy and of lambda E[Y^2] b^2/2 v dy, used if g or b is a formula
+  // Closed integrals of D G v dy and of lambda E[Y^2] b^2/2 v dy, used if the factor of noise (G =
+  // g^2) or of impulses b is a formula
   double of_noise = 0, of_impulses = 0;
   // With the substitution y = middle + half sin(phase), the velocity v and the derivative dy/dphase
   // both behave like cos(phase) at a turning point, so that dy / v is smooth in the phase.
   const auto add = [&](double phase, double weight) {
     const double y = middle + half * std::sin(phase);
-    // The factor 2 counts both half-cycles of the period.
+    // The factor 2 counts the two half-cycles of a period.
     const double dy = 2 * weight * half * std::cos(phase);
     const double v = speed(y);
     const double damping = mean_damping(problem_.system, y, v);

@@ -26,8 +26,8 @@ FPKCHECK_INLINE Real absolute(const Real& x) {
 
 // Largest magnitude of an argument of simd::exponential().
 constexpr double kLargestExponent = 700;
-// For arguments of smaller magnitude, series replace the differences of exponentials in sinh and
-// tanh.
+// For arguments of magnitude below kSmall, series replace the differences of exponentials in sinh
+// and tanh.
 constexpr double kSmall = 0.06;
 
 template <class Real>
@@ -89,7 +89,8 @@ FPKCHECK_INLINE void call_function(const NamedFunction& f, std::size_t count, Re
 }
 
 // Values and derivatives with respect to v of a batch of points, as numerics::DualNumber. The
-// members have no initial values, so that an evaluation does not set its whole stack to zero.
+// members of DualNumberBatch have no initial values, so that an evaluation does not set its whole
+// stack to zero.
 template <class Real>
 struct DualNumberBatch {
   Real value, derivative;
@@ -126,8 +127,8 @@ FPKCHECK_INLINE Number constant_of(double value) {
   }
 }
 
-// Returns slope * derivative. The result is 0 where the derivative is 0, even for an infinite
-// slope.
+// Returns the product slope * derivative of the chain rule, which is 0 for a zero derivative, even
+// if the slope is infinite.
 template <class Real>
 FPKCHECK_INLINE Real chain_rule(const Real& slope, const Real& derivative) {
   return derivative == 0.0 ? Real{} : slope * derivative;
@@ -168,7 +169,7 @@ FPKCHECK_INLINE Number integer_power_of(const Number& base, int exponent) {
   return exponent < 0 ? constant_of<Number>(1) / power : power;
 }
 
-// Returns base^(n/2).
+// Returns the power base^(n/2) of a number `base` and an integer n.
 template <class Real>
 FPKCHECK_INLINE Real half_integer_power_of(const Real& base, int n) {
   return integer_power_of(simd::square_root(base), n);
@@ -196,11 +197,11 @@ FPKCHECK_INLINE void raise_to_power(DualNumberBatch<Real>& base,
   }
 }
 
-// Powers with constant exponents above this limit are computed by the standard library.
+// Powers with constant exponents above kLargestHalfInteger are computed by the standard library.
 constexpr double kLargestHalfInteger = 8;
 
-// For at most kHalf points half a batch is evaluated, since half a batch fits into one register of
-// AVX2.
+// For at most kHalf points only half a batch is evaluated, since half a batch fits into one
+// register of AVX2.
 constexpr std::size_t kHalf = Expression::kBatchPoints / 2;
 
 template <class Real>
@@ -223,7 +224,8 @@ FPKCHECK_INLINE void store_points(std::size_t count, const Real& batch, double* 
 template <class Number>
 FPKCHECK_INLINE Number Expression::evaluate_simd_batch(const Number& y, const Number& v,
                                                        std::size_t count) const {
-  // The value on top of the stack is a variable, so that operations need not wait for stores.
+  // The value on top of the stack is a local variable, so that operations need not wait for stores
+  // to memory.
   Number top = y;
   std::array<Number, kMaxDepth + 1> below;
   std::size_t depth = 0;
@@ -285,9 +287,9 @@ FPKCHECK_INLINE Number Expression::evaluate_simd_batch(const Number& y, const Nu
   return top;
 }
 
-// One version for each instruction set, all with the same bits; the loader selects one. With Clang
-// 14 only the version for the baseline instruction set is compiled, since Clang 14 cannot link
-// several versions of a function.
+// The compiler generates one version of the function for each instruction set, with equal results;
+// the loader selects one version. With Clang 14 only the version for the baseline instruction set
+// is compiled, since Clang 14 cannot link several versions of a function.
 #if defined(__x86_64__) && defined(__linux__) && !defined(__clang__)
 #define FPKCHECK_VERSIONS __attribute__((target_clones("avx512f", "avx2", "default")))
 #else

@@ -12,11 +12,11 @@ namespace {
 // A polynomial in y and v, or nothing for an expression that is not a polynomial.
 using Polynomial = std::optional<BivariateCoefficients>;
 
-// The limit of the degree bounds the time of the expansion, which grows with the fourth power of
-// the degree.
+// The limit of the polynomial degree bounds the time of the expansion of an expression, which grows
+// with the fourth power of the degree.
 constexpr int kMaxPolynomialDegree = 12;
 
-// Returns a + factor b.
+// Returns the polynomial a + factor b of two polynomials a and b.
 Polynomial add_scaled_polynomial(const Polynomial& a, const Polynomial& b, double factor) {
   if (!a || !b) return std::nullopt;
   Polynomial result = a;
@@ -199,8 +199,9 @@ std::vector<double> Expression::find_kinks(Operation variable, double low, doubl
                                            const std::function<bool(std::size_t)>& wanted) const {
   const Operation other = variable == Operation::y ? Operation::v : Operation::y;
   // Number of grid points between which the search for kinks of an expression looks for sign
-  // changes. The search can miss kinks that are closer together than two neighbouring grid points.
-  // The search for kinks ends after kPoints sign changes, since no grid resolves more kinks.
+  // changes. The search can miss kinks with a distance below the distance of neighbouring grid
+  // points. The search for kinks ends after kPoints sign changes, since no grid resolves more
+  // kinks.
   constexpr int kPoints = 4000;
   std::vector<char> has_kink(nodes_.size());
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
@@ -208,7 +209,8 @@ std::vector<double> Expression::find_kinks(Operation variable, double low, doubl
                   !contains_operation(nodes_[k].first, k, other) && wanted(k);
   }
   if (std::ranges::count(has_kink, 1) == 0) return {};
-  // One evaluation computes the functions of all kinks: the time is linear in the number of nodes.
+  // One evaluation of the expression computes the functions whose sign changes are kinks, so that
+  // the time is linear in the number of nodes.
   std::vector<double> earlier_values(nodes_.size()), left_values(nodes_.size());
   std::vector<double> right_values(nodes_.size());
   const auto evaluate_kinks = [&](std::size_t end, double x, std::vector<double>& values) {
@@ -227,13 +229,13 @@ std::vector<double> Expression::find_kinks(Operation variable, double low, doubl
       if (has_kink[k] == 0) continue;
       const double at_left = left_values[k], at_right = right_values[k];
       // A zero at a grid point of the search is a kink if both neighbouring values differ from
-      // zero. The condition on the neighbouring values excludes an argument that is zero over an
+      // zero. The condition on the neighbouring values excludes a function that is zero over an
       // interval, such as max(y, 0) for y < 0.
       if (n > 1 && earlier_values[k] != 0 && at_left == 0 && at_right != 0) found.insert(left);
       if (!((at_left < 0 && at_right > 0) || (at_left > 0 && at_right < 0))) continue;
       if (++changes > kPoints) return {found.begin(), found.end()};
       std::vector<double> values(nodes_.size());
-      // The interpolation of the root search needs finite values.
+      // The interpolation in the search for a root needs finite function values.
       constexpr double kLargest = 1e100;
       const auto value = [&](double x) {
         evaluate_kinks(k + 1, x, values);

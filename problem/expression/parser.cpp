@@ -48,7 +48,7 @@ class ExpressionParser {
   using Operation = Expression::Operation;
   using Node = Expression::Node;
 
-  // Increases the nesting depth of the grammar's rules during the life of the object.
+  // Increases the nesting depth of the grammar's rules during the life of the Nesting object.
   struct Nesting {
     explicit Nesting(ExpressionParser& owner) : parser(owner) {
       if (++parser.depth_ > Expression::kMaxDepth) parser.fail_nested();
@@ -72,7 +72,7 @@ class ExpressionParser {
                                   : next == '*' ? "; write y^2 for a power"
                                   : begins_factor ? "; write * between factors, as in 2*y*(1 + v)"
                                                   : "";
-    // The whole character is quoted if it is a sequence of several bytes (UTF-8).
+    // In an error message, a character that consists of several bytes (UTF-8) is quoted as a whole.
     std::size_t end = at_ + 1;
     while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) ++end;
     const std::string found = at_ >= text_.size()
@@ -97,8 +97,8 @@ class ExpressionParser {
     return true;
   }
 
-  // Appends an operation whose operands begin at the node `first`, and evaluates the operation if
-  // all operands are constants.
+  // Appends an operation whose operands begin at the node `first`; an operation on constants is
+  // evaluated immediately.
   void append(Node node, std::size_t first) {
     auto& nodes = result_.nodes_;
     if (nodes.size() >= Expression::kMaxNodes) {
@@ -186,7 +186,8 @@ class ExpressionParser {
     if (!accept('^')) return;
     const std::size_t exponent = nodes.size();
     parse_signed();
-    // Integer powers are products: exact for polynomials, and defined for a negative base.
+    // Powers with integer exponents are computed as products, which are exact for polynomials and
+    // defined for a negative base.
     constexpr double kMaxIntegerExponent = 64;
     Node node{Operation::power};
     const bool is_constant =
@@ -234,8 +235,8 @@ class ExpressionParser {
     }
   }
 
-  // Returns the operand with this name: a variable, a named constant or pi; nullopt for other
-  // names.
+  // Returns the operand with a given name, which is a variable, a named constant or pi; nullopt for
+  // other names.
   std::optional<Node> operand_of(std::string_view name) const {
     if (name.size() == 1 && variables_.find(name) != std::string_view::npos) {
       return Node{name == "v" ? Operation::v : Operation::y};  // t is the first argument, as y is

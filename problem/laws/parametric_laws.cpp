@@ -97,11 +97,11 @@ namespace {
 
 constexpr double kDefaultSkewness = 1, kMinSkewness = 0.01, kMaxSkewness = 2;
 
-// Boost's default policy computes in long double, which takes ten times as long as double.
-// Quadrature rules evaluate the density of the gamma law millions of times.
+// Boost's default policy computes in long double, which takes ten times the time of double;
+// quadrature rules evaluate the density of the gamma law millions of times.
 using DoublePrecision = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
 
-// Returns the value of the gamma variable G that gives Y = y.
+// Returns the value of the gamma variable G that belongs to the amplitude Y = y.
 double gamma_variate_of_amplitude(const GammaLaw& law, double y) {
   return law.gamma_shape() + (y - law.mean) / law.width_parameter() * std::sqrt(law.gamma_shape());
 }
@@ -145,9 +145,9 @@ double GammaLaw::cumulative_probability(double y) const {
 }
 
 std::vector<double> GammaLaw::amplitude_density_breakpoints() const {
-  // The probability beyond the first and beyond the last break point is 1e-20. Near the finite end
-  // x = 0 of the support the gamma density is x^(k-1) times a smooth function, which a ten-point
-  // Gauss rule integrates accurately between x and 3 x.
+  // The probability of amplitudes below the first break point, and of amplitudes above the last
+  // break point, is 1e-20. Near the finite end x = 0 of the support the gamma density is x^(k-1)
+  // times a smooth function, which a ten-point Gauss rule integrates accurately between x and 3 x.
   constexpr double kBeyond = 1e-20, kFirst = 1e-9, kGrowth = 3;
   const double k = gamma_shape(), deviations = std::sqrt(k);
   const double low = boost::math::gamma_p_inv(k, kBeyond);

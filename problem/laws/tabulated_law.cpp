@@ -19,7 +19,7 @@ bool table_has_atoms(const TabulatedLaw& law) {
 }
 
 // Returns the moment E[Z^n] of the standardised amplitude Z. The 20-point Gauss rule is exact for
-// the integrand, a polynomial on each piece of the table.
+// the integrand, which is a polynomial on each interval of the table.
 double expectation_of_power(const AmplitudeTable& table, int n) {
   using Rule = boost::math::quadrature::gauss<double, 20>;
   double sum = 0;
@@ -39,7 +39,8 @@ double expectation_of_power(const AmplitudeTable& table, int n) {
   return sum;
 }
 
-// Returns the probability P(Z <= at) if `with_equal` is true, otherwise P(Z < at).
+// Returns the probability P(Z <= at) of the standardised amplitude Z if `with_equal` is true,
+// otherwise P(Z < at).
 double table_cumulative_probability(const AmplitudeTable& table, double at, bool with_equal) {
   const auto& z = table.amplitude;
   const auto& w = table.weight;
