@@ -13,16 +13,15 @@ namespace {
 constexpr std::ptrdiff_t kInterpolationPoints =
     8;  // 8 interpolation points give polynomials of degree 7
 // Tolerated overshoot of the interpolated cumulative distribution, relative to the total mass. The
-// largest overshoot is 2e-7 in the densities of the regression baselines and 1e-2 at a spike. The
-// masses of smooth densities are therefore not clipped, and the remapping of smooth densities is
-// linear in the masses.
+// largest overshoot is 2e-7 for the densities of the regression baselines, and 1e-2 at a spike of
+// the density. With kOvershootTolerance the masses of smooth densities are not clipped, and the
+// remapping of smooth densities is linear in the masses.
 constexpr double kOvershootTolerance = 1e-6;
 
 }  // namespace
 
 // Returns the weights of the bin masses in the Lagrange interpolation of the cumulative
-// distribution at x. The weights exclude the bins before the bin of x, whose masses enter with
-// weight 1.
+// distribution at x, minus the weight 1 of all bins before the bin of x.
 ConservativeRemap::InterpolationStencil ConservativeRemap::cumulative_interpolation_stencil(
     std::span<const double> edges, double x) {
   const auto above = std::ranges::lower_bound(edges, x);
@@ -42,8 +41,8 @@ ConservativeRemap::InterpolationStencil ConservativeRemap::cumulative_interpolat
 
   const std::vector<double> lagrange = numerics::lagrange_weights(
       edges.subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(points)), x);
-  // The cumulative distribution at edge a is the mass of all bins before a. The masses of all bins
-  // before bin k - 1, the bin of x, are subtracted.
+  // The cumulative distribution at a bin edge is the mass of all bins before the edge. From the
+  // cumulative distribution, the masses of all bins before bin k - 1, the bin of x, are subtracted.
   InterpolationStencil result{static_cast<std::size_t>(k - 1), static_cast<std::size_t>(first),
                               std::vector<double>(static_cast<std::size_t>(points - 1))};
   double sum = 0;

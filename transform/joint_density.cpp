@@ -8,8 +8,8 @@
 namespace fpkcheck::transform {
 namespace {
 
-// Number of quadrature panels for half the width of the support. For a Gaussian density, each panel
-// is about one standard deviation wide.
+// Number of quadrature panels for half the width of the support of a density. For a Gaussian
+// density, each quadrature panel is about one standard deviation wide.
 constexpr int kPanels = 8;
 
 }  // namespace
@@ -54,7 +54,7 @@ GridDensity average_over_cells(const GridDensity& density, std::span<const doubl
   const ConservativeRemap along_y(density.y_edges, y_edges), along_v(density.v_edges, v_edges);
   GridDensity grid{{y_edges.begin(), y_edges.end()}, {v_edges.begin(), v_edges.end()}, {}};
 
-  // Masses of cells with new edges in v and old edges in y, one vector for each new interval of v.
+  // Masses of cells with new edges in v and old edges in y, one vector for each new cell in v.
   std::vector<std::vector<double>> columns(grid.v_cell_count(),
                                            std::vector<double>(density.y_cell_count()));
   std::vector<double> row(density.v_cell_count());

@@ -75,12 +75,12 @@ double l1_distance(const Marginal& a, const Marginal& b) {
 
 namespace {
 
-// Number of panels of y for a density without a wall at y = 0.
+// Number of quadrature panels in y for a density without a wall at y = 0.
 constexpr int kPanelsBetweenOpenEnds = 20;
 
 std::vector<numerics::QuadraturePoint> half_line_points(double end, QuadraturePanelSpacing panels) {
-  // For a Gaussian density whose support is the domain, each panel is about one standard deviation
-  // wide.
+  // For a Gaussian density on the whole domain, each quadrature panel is about one standard
+  // deviation wide.
   constexpr int kUniformPanels = 8;
   if (panels == QuadraturePanelSpacing::uniform)
     return numerics::composite_gauss_points(0.0, end, kUniformPanels);

@@ -22,9 +22,9 @@ double cubic_spline_slope(double t) {
   return std::copysign(1.0, t) * (12 * inner * inner - 3 * outer * outer) / 6;
 }
 
-/// Returns increasing points between which the integrand F M' is smooth: the knots of the
-/// B-splines, the midpoints between knots, and the edges of the sharp bins. The returned points are
-/// in the support of the smooth bins.
+/// Returns increasing points in the support of the smooth bins, between which the integrand F M' is
+/// smooth: the knots of the B-splines M, the midpoints between knots, and the edges of the sharp
+/// bins.
 std::vector<double> smooth_segment_ends(const SmoothBins& bins, const std::vector<double>& edges) {
   const double begin = bins.first - kSupportHalfWidth * bins.spacing;
   const int halves = 2 * (bins.count - 1 + 2 * kSupportHalfWidth);
@@ -81,9 +81,9 @@ Marginal average_over_smooth_bins(const Marginal& sharp, const SmoothBins& bins)
   std::vector<double> averages;
   for (int b = 0; b < bins.count; ++b) {
     // Integration by parts gives int M p = -int F M' for the cumulative distribution F of p. Since
-    // int M' = 0, a constant may be added to F, and the code sets F to 0 at the left end of the
-    // support of M. The variables `begin` and `end` are the ends of the support of bin b in units
-    // of the spacing.
+    // int M' = 0, a constant may be added to the cumulative distribution F, and F is set to 0 at
+    // the left end of the support of M. The variables `begin` and `end` are the ends of the support
+    // of the smooth bin b in units of the spacing.
     const double begin = b - kSupportHalfWidth, end = b + kSupportHalfWidth;
     const auto scaled_position = [&](double x) { return (x - bins.first) / bins.spacing; };
     double cumulative = 0, integral = 0;

@@ -13,7 +13,7 @@ bool has_error_estimate(const Solution& solution) {
   return std::ranges::all_of(kVariables, [&](StateVariable variable) {
     const bool estimated = std::ranges::any_of(
         solution.estimated_marginals, [&](const auto& one) { return one.first == variable; });
-    // An error estimate is required only for marginals that exist.
+    // An error estimate is required only for marginal densities that the solution has.
     if (!solution.density && !solution.had_density && !estimated) return true;
     if (solution.error && std::isfinite(l1_error_of_marginal(*solution.error, variable)))
       return true;
