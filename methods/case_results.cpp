@@ -20,7 +20,8 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
   const auto poll = [&] {
     if (settings.poll) settings.poll();
   };
-  // All methods share the error estimators. Each backward equation is therefore solved only once.
+  // Since all methods share the residual-based error estimators, each backward equation is solved
+  // only once.
   const auto estimators = make_error_estimators(problems);
   auto cases = run_cases(problems, methods, settings.threads, settings.progress, estimators,
                          settings.case_listener);
@@ -83,7 +84,7 @@ results::MomentErrorSource make_error_source(const backward::DensityErrorEstimat
   if (frame.mirrored) values = values.reverse().eval();
   results::MomentErrorSource result{solution, moment.name, {cells.y_edges, cells.v_edges, {}}};
   for (const auto& row : values.rowwise()) {
-    // Error sources are rounded to single precision, the precision of the files.
+    // Error sources are rounded to single precision, the precision of joint.nc.
     for (const double value : row) {
       result.density.averages.push_back(static_cast<float>(value));
     }
@@ -91,7 +92,7 @@ results::MomentErrorSource make_error_source(const backward::DensityErrorEstimat
   return result;
 }
 
-/// @param cells cells of the error sources, or null
+/// @param cells cells of the error sources; null if no error sources are computed
 std::optional<MomentErrorsAndSources> estimate_moment_errors(
     const backward::DensityErrorEstimator& error_estimator, const problem::WallFrame& frame,
     const transform::Solution& solution, const transform::GridDensity* cells) try {

@@ -61,9 +61,9 @@ transform::Solution solve_by_simulation(const problem::Problem& problem,
   return mcs::simulate_stationary_density(problem, axis_options).solution;
 }
 
-// In a list of methods the simulation is the reference and should have small sampling errors. With
-// the equation `kf` the simulation therefore uses control variates, which exist only for this
-// equation.
+// In a list of methods the simulation is the reference and should have small sampling errors. For
+// the density equation `kf` the simulation uses control variates, which the density equation
+// `white` does not permit.
 std::optional<mcs::SimulationOptions> options_with_control_variates(std::string_view id) {
   auto options = mcs::options_of(id);
   if (options) options->controlled = options->equation == mcs::DensityEquation::kf;

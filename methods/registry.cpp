@@ -34,7 +34,8 @@ Values with_overrides(Values options, const Values& overrides) {
   return options;
 }
 
-// Returns the default ids of a family or a solver, or the item itself.
+// Returns the default ids of a family or a solver, or, if `item` is neither a family nor a solver,
+// the item itself.
 std::vector<std::string> method_ids_of_item(const SolverRegistry& registry,
                                             const std::string& item) {
   std::vector<std::string> ids;
@@ -86,8 +87,8 @@ void SolverRegistry::set_missing_identity_fields(SolutionIdentity& identity) con
   identity.role = family.role;
   identity.family = family.name;
   identity.meaning = family.meaning;
-  // Trust increases with the index of the family. Within a family, trust increases with the closure
-  // order, or with the index among the default ids.
+  // Trust in a method increases with the index of the family. Within a family of methods, trust
+  // increases with the closure order, or with the index among the default ids.
   constexpr int kMaxFamilySize = 1000;
   const auto place =
       std::ranges::find(family.default_ids, identity.id) - family.default_ids.begin();

@@ -82,8 +82,8 @@ std::string missing_estimate_reason(
                          : estimator.unsupported_reason());
 }
 
-// Returns the reason for an error estimate above the required accuracy. Either the density is
-// inaccurate, or the estimate is only an upper bound that is much larger than the error.
+// Returns the reason why an error estimate exceeds the required accuracy: either the density is
+// inaccurate, or the error estimate is only an upper bound that is much larger than the error.
 std::string large_estimate_reason(const backward::DensityErrorEstimates& weighted,
                                   const transform::ErrorEstimate& error, double accuracy) {
   const double found =

@@ -29,7 +29,8 @@ struct MethodSolveTask {
   std::size_t method;
 };
 
-// Collects the solutions of a run in a table, shape (problems, methods), and reports the progress.
+// Collects the solutions of a run in a table, shape (problems, methods), and reports the progress
+// of the run.
 class SolutionsByProblemAndMethod {
  public:
   SolutionsByProblemAndMethod(const std::vector<problem::Problem>& problems,
@@ -142,7 +143,7 @@ Solution solve_with_method(const Method& method, const problem::Problem& problem
   }
   solution.identity = method.identity;
   solution.options = method.options;
-  // Error estimates of closures and external densities may follow later, from the distance to the
+  // Error estimates of closures and external densities may be set later, from the distance to the
   // reference (complete_error_estimates).
   const auto role = method.identity.role;
   if (role == transform::SolutionRole::equation || role == transform::SolutionRole::simulation) {
@@ -174,8 +175,7 @@ std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& 
   SolutionsByProblemAndMethod run(problems, methods, listener, estimators, case_listener);
   // The first closure of a problem computes the residual-based error estimator, and the other
   // closures of the problem wait for the estimator. While the first closure computes the
-  // residual-based error estimator, other processors compute solutions that do not use the
-  // estimator.
+  // residual-based error estimator, other processors compute solutions without the estimator.
   const auto is_closure = [&](std::size_t m) {
     return methods[m].identity.role == transform::SolutionRole::closure;
   };
@@ -184,8 +184,8 @@ std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& 
   const auto first_closure =
       std::stable_partition(order.begin(), order.end(), std::not_fn(is_closure));
   if (first_closure != order.end()) std::rotate(order.begin(), first_closure, first_closure + 1);
-  // The blocks of problems are completed one after another. After a stop request, only the problems
-  // of one block are incomplete.
+  // Problems are completed in blocks, one block after another, so that after a stop request only
+  // the problems of one block are incomplete.
   const auto block = static_cast<std::size_t>(base::resolve_thread_count(thread_count));
   std::vector<MethodSolveTask> single_threaded;
   for (std::size_t begin = 0; begin < problems.size(); begin += block) {
@@ -237,7 +237,7 @@ void complete_error_estimates(const std::vector<Method>& methods,
     const auto accuracy = solution.error ? std::nullopt : required_accuracy(methods[m]);
     if (accuracy && solution.density) {
       if (const L1DistancesFromReference found = distance(solution); found.y && found.ydot) {
-        // At this point the only reason for the status `inaccurate` is the missing error estimate.
+        // If the status is `inaccurate` here, the only reason is the missing error estimate.
         if (solution.status == transform::Status::inaccurate) {
           solution.status = transform::Status::ok;
           solution.reason.clear();

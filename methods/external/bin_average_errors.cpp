@@ -27,7 +27,8 @@ BinAverageError trapezoidal_rule(std::span<const double> knots, double lower, do
   return bin;
 }
 
-// Replaces the value v[0] at the first knot by the extrapolation v[1] - (v[2] - v[1]) * ratio.
+// Replaces the density value v[0] at the first knot by the extrapolation v[1] - (v[2] - v[1]) *
+// ratio from the next two knots.
 void extrapolate_to_first_knot(BinAverageError& bin, double ratio) {
   if (bin.first > 0) {
     --bin.first;
@@ -41,8 +42,8 @@ void extrapolate_to_first_knot(BinAverageError& bin, double ratio) {
   bin.factors[1] -= at_first * ratio;
 }
 
-// Replaces the value at the last knot (index `points`) by extrapolation from the two previous
-// knots.
+// Replaces the density value at the last knot (index `points`) by extrapolation from the two
+// previous knots.
 void extrapolate_to_last_knot(BinAverageError& bin, std::size_t points, double ratio) {
   if (bin.first + bin.factors.size() <= points) return;
   const double at_last = bin.factors.back();
@@ -85,8 +86,9 @@ std::vector<BinAverageError> compute_bin_average_errors(std::span<const double> 
   return bins;
 }
 
-// Neighbouring bins have correlated errors, since they share points. The 99 % quantile of the L1
-// sampling error is therefore computed from random samples of the errors at the points.
+// The errors of neighbouring bins are correlated, since neighbouring bins share points. The 99 %
+// quantile of the L1 sampling error is computed from random samples of the errors at the points, to
+// include these correlations.
 L1SamplingError l1_sampling_error(std::span<const BinAverageError> bins) {
   constexpr int kReplicates = 1000;
   constexpr std::uint64_t kSeed = 20240501;  // an arbitrary fixed seed for reproducible results

@@ -26,8 +26,8 @@ bool any_of(const std::vector<std::string>& names, Names known) {
   return std::ranges::any_of(names, [&](const auto& name) { return is_one_of(name, known); });
 }
 
-// Returns the names of the columns, with empty texts in place of ambiguous names. Since many files
-// name any ordinate "y" and any abscissa "x", these names may identify no variable.
+// Returns the names of the columns, with empty texts in place of ambiguous names. Many files name
+// any ordinate "y" and any abscissa "x"; in such files the names identify no variable.
 std::vector<std::string> without_ambiguous_names(std::vector<std::string> names) {
   if (names.size() < 2 || names[1] != "y") return names;
   names[1].clear();
@@ -40,9 +40,10 @@ bool is_near_one(double sum) {
   return std::abs(sum - 1) <= kRounding;
 }
 
-// Returns the gap between two bins relative to the width of the narrower bin. The width of the
-// wider bin is not used, since a narrow bin inside a wide bin would then count as contiguous. The
-// edges of the bins are halved, since differences of halved numbers cannot overflow.
+// Returns the gap between two bins relative to the width of the narrower bin. The gap is not
+// divided by the width of the wider bin, since a narrow bin inside a wide bin would then count as
+// contiguous. The edges of the bins are halved, since differences of halved numbers cannot
+// overflow.
 double relative_gap(const std::vector<double>& bin, const std::vector<double>& next) {
   const auto half_width = [](const auto& row) { return std::abs(row[1] / 2 - row[0] / 2); };
   return std::abs(next[0] / 2 - bin[1] / 2) / std::min(half_width(bin), half_width(next));
@@ -82,8 +83,8 @@ bool is_histogram(const NumberTable& table) {
       any_of(names, kEdges) || (!names.empty() && (is_one_of(names.back(), kCounts) ||
                                                    is_one_of(names.back(), kProbabilities)));
   if (named) return true;
-  // Without names, a column of densities counts as upper edges only if every density is within
-  // kMaxGap of the next abscissa.
+  // In a table without column names, the second column counts as upper bin edges, not as densities,
+  // only if every upper edge is within kMaxGap bin widths of the next lower edge.
   constexpr double kMaxGap = 0.5;  // largest gap between bins, in units of the bin width
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     if (table.rows[k][1] <= table.rows[k][0]) return false;

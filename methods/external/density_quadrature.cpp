@@ -9,7 +9,7 @@
 namespace fpkcheck::methods {
 namespace {
 
-// Extends the edges over the length `extension` by bins with the width of the last bin.
+// Extends a list of bin edges by the length `extension`, with bins of the width of the last bin.
 std::vector<double> extend_edges(std::vector<double> edges, double extension) {
   const double last = edges.back(), width = last - edges[edges.size() - 2];
   const auto more = static_cast<int>(std::lround(extension / width));
@@ -23,7 +23,7 @@ std::vector<double> reflect_edges(std::vector<double> edges) {
   return edges;
 }
 
-// Extends the edges of y at each end without a wall, but not beyond a wall farther out.
+// Extends the cell edges in y at the low and the high end as requested, but not beyond a wall.
 std::vector<double> extend_edges(const std::vector<double>& edges, bool low, bool high,
                                  const problem::Walls& walls) {
   const double length = edges.back() - edges.front();

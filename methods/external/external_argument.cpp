@@ -48,7 +48,7 @@ void set(const std::string& key, const std::string& value, ExternalDensityArgume
   }
 }
 
-// Returns the position of the comma of the last ",KEY=VALUE", or npos.
+// Returns the position of the comma of the last ",KEY=VALUE" in an argument, or npos.
 std::size_t last_setting_position(const std::string& text) {
   const auto comma = text.rfind(',');
   if (comma == std::string::npos) return comma;

@@ -19,11 +19,11 @@ using transform::Moments;
 using transform::Solution;
 using transform::Status;
 
-// The tolerances of negative values and of cut-off are relative to the peak of the density. The
-// tolerance of the mass is relative to a mass of 1.
+// The tolerances of negative values and of values at the outermost edges are relative to the peak
+// of the density. The tolerance of the mass of a closure is relative to a mass of 1.
 constexpr double kNegativeTolerance = 1e-6, kCutOffTolerance = 1e-4, kClosureMassTolerance = 1e-3;
 
-// Returns the largest average over the outermost cells, except cells at a wall.
+// Returns the largest average of a density among the outermost cells, except cells at a wall.
 double largest_boundary_average(const transform::GridDensity& grid,
                                 const DensityQuadratureGrid& points) {
   double most = 0;
@@ -38,7 +38,7 @@ double largest_boundary_average(const transform::GridDensity& grid,
   return most;
 }
 
-// Returns the outermost edges as text: "at y = 2 and |y'| = 3".
+// Returns the outermost edges of the cells as text: "at y = 2 and |y'| = 3".
 std::string cut_off_text(const transform::GridDensity& grid, const DensityQuadratureGrid& points) {
   std::string ends;
   if (!points.has_wall_at_start()) ends += fmt::format("y = {:.3g}, ", grid.y_edges.front());
@@ -70,7 +70,8 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   const problem::WallFrame frame = problem::wall_frame(problem.system);
   const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);
   const problem::System& system = transformed.system;
-  // The balances of a formula contain the whole force (VirialBalanceTerms).
+  // If a formula states the force, the balance equations contain the whole force f + g
+  // (VirialBalanceTerms).
   const auto force = [&](double x, double v) {
     return system.force(x, system.has_polynomial_force() ? 0 : v);
   };
@@ -215,7 +216,8 @@ Solution make_external_density_solution(const problem::Problem& problem,
   add_rest_atom_note(problem, builder);
   solution.metrics = builder.take_metrics();
   if (external.equation && context.error_estimator != nullptr) {
-    // The reason has no prefix, since the equations of an external density were not tested.
+    // The reason of the status has no prefix, since an external density was not tested against its
+    // equations.
     set_residual_error_estimate(*context.error_estimator, options.accuracy, solution, {}, "");
   }
   return solution;

@@ -22,8 +22,8 @@ namespace {
 ExternalJointDensity joint_from_points(JointTable table, const std::string& path) {
   const std::size_t nv = table.v.size();
   ExternalJointDensity joint{.path = path, .form = "joint points", .numbers = table.p.size()};
-  // Beyond the outermost points of the table the density is taken as 0. If a density value at an
-  // outermost point of the table exceeds kSmall times the peak, a note states this cut-off.
+  // Outside the range of the table the density is taken as 0. If a density value at an outermost
+  // point of the table exceeds kSmall times the peak, a note states that the density is cut off.
   constexpr double kSmall = 1e-3;
   const double peak = std::ranges::max(table.p);
   double end = 0;
@@ -83,8 +83,8 @@ ExternalJointDensity joint_from_run(const ExternalDensityArgument& argument,
   return joint;
 }
 
-// Returns the first parameter that differs between the problem of the file and the problem of the
-// run; empty without a difference.
+// Returns the first parameter that differs between the problem of a density file and the problem of
+// the run; an empty text for equal problems.
 std::string first_difference(const problem::Problem& of_file, const problem::Problem& of_run) {
   const auto here = problem::case_file_sections(of_run);
   for (const auto& section : problem::case_file_sections(of_file)) {
@@ -150,7 +150,7 @@ ExternalJointDensity joint_density_from_json(const ExternalDensityArgument& argu
   const auto& [form, problem, solution] = *file;
   ExternalJointDensity joint{
       .path = where, .form = "closed form", .numbers = form.q.terms().size()};
-  // Only the normalisation constant of an external closed form is tested.
+  // Only for a closed form from another program is the normalisation constant tested.
   joint.normalise = solution.has_value() || !form.frame.log_constant;
   using enum epc::ExponentCoordinates;
   if (form.frame.variables == plane || form.frame.variables == physical) {

@@ -16,7 +16,8 @@
 namespace fpkcheck::methods {
 namespace {
 
-// Returns the name of a variable or data block for a label: "a_b" for both "a.b" and "a-b".
+// Returns the name of the netCDF variable or gnuplot data block for a label: "a_b" for the labels
+// "a.b" and "a-b".
 std::string label_as_identifier(std::string label) {
   std::ranges::replace_if(
       label, [](unsigned char c) { return !std::isalnum(c); }, '_');
@@ -28,7 +29,7 @@ constexpr std::string_view kSeparators = "-_.";
 bool is_separator(char c) { return kSeparators.find(c) != std::string_view::npos; }
 
 // Returns the family name in a label: "chi" for the label "chi-n4" of a density of order 4. The
-// result is empty if the label does not end with the order.
+// family name is empty if the label does not end with the order.
 std::optional<std::string> family_name(const transform::SolutionIdentity& identity) {
   if (!identity.order) return std::nullopt;
   std::string_view name = identity.id;

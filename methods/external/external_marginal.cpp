@@ -14,7 +14,8 @@
 #include "methods/external/number_table.hpp"
 #include "numerics/statistics.hpp"
 
-// This include follows fpclassify, since pchip of Boost 1.74 calls isnan without a declaration.
+// The include of pchip.hpp follows fpclassify, since pchip of Boost 1.74 calls isnan without a
+// declaration.
 #include <boost/math/interpolators/makima.hpp>
 #include <boost/math/interpolators/pchip.hpp>
 
@@ -26,8 +27,8 @@ using transform::StateVariable;
 void require_range_between_walls(const NumberTable& table, std::size_t row, double y,
                                  const problem::Walls& walls) {
   if (is_between_walls(walls, y)) return;
-  // Two causes are likely: the column names select the variable y, or the file belongs to another
-  // case.
+  // Two causes of a value behind a wall are likely: the column names select the variable y by
+  // mistake, or the density file belongs to another case.
   table.throw_row_error(
       row, fmt::format("y = {:g} under the names {} (must be {}; name the abscissa 'v' for a "
                        "density of y')",
@@ -150,7 +151,7 @@ void ExternalMarginal::normalise(HistogramQuantity value) {
   if (!std::isfinite(total)) {
     throw InputError(fmt::format("{}: the integral overflows; choose other units", file));
   }
-  // Derivatives and moments may overflow, even if the abscissae are finite.
+  // Derivatives and moments of a marginal density may overflow, even if the abscissae are finite.
   const auto overflows = [](double x) { return !std::isfinite(x) || std::abs(x) > kMaxMagnitude; };
   if (overflows(total) || overflows(knots_.front()) || overflows(knots_.back()) ||
       !std::isfinite(density_(knots_.front())) || !std::isfinite(density_(knots_.back()))) {

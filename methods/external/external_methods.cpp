@@ -29,7 +29,7 @@ using transform::StateVariable;
 
 double unknown_value() { return std::numeric_limits<double>::quiet_NaN(); }
 
-// Returns a remark on mass beyond the comparison axes, which the comparison ignores.
+// Returns a note on the probability mass outside the comparison axes, which the comparison ignores.
 std::optional<std::string> outside_mass_note(const ExternalMarginal& marginal, double share,
                                              const std::vector<double>& bins) {
   constexpr double kSmall = 1e-3;
@@ -40,7 +40,8 @@ std::optional<std::string> outside_mass_note(const ExternalMarginal& marginal, d
       100 * share, marginal.variable() == StateVariable::y ? "y" : "y'", bins.front(), bins.back());
 }
 
-// Adds the properties of a file and of its normalisation as metrics under "files[k]".
+// Adds the properties of a marginal density file and the divisor of the normalisation as metrics
+// under "files[k]".
 void add_metrics(const ExternalMarginal& marginal, const std::vector<double>& bins, double mass,
                  double min_density, std::size_t k, transform::SolverMetricsBuilder& builder) {
   const std::string path = fmt::format("files[{}].", k);
@@ -90,7 +91,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   if ((system.left_wall() && system.right_wall()) || system.rayleigh_coefficient() != 0) return {};
   const problem::WallFrame frame = problem::wall_frame(system);
   const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);
-  // The substitution of x(y) converts a polynomial of x to a polynomial of y.
+  // The substitution of the wall coordinate x(y) converts a polynomial in x to a polynomial in y.
   const auto in_y = [&](const numerics::Polynomial& of_x) {
     return of_x.compose_affine(frame.inverse_frame().origin, frame.velocity_sign());
   };
@@ -128,8 +129,8 @@ transform::Solution marginals_solution(const problem::Problem& problem,
     const double mass = marginal.moment(0);
     const auto [least, most] = std::ranges::minmax(on_axes.density);
     const double min_density = most > 0 ? least / most : 0;
-    // If a solution has several files, its mass is the mass farthest from 1, and its minimum
-    // density the smallest.
+    // For a solution with several density files, the mass of the solution is the mass that differs
+    // most from 1, and the minimum density is the smallest minimum.
     if (k == 0 || std::abs(mass - 1) > std::abs(solution.mass - 1)) solution.mass = mass;
     if (k == 0 || min_density < solution.min_density) solution.min_density = min_density;
     add_sampling_error(marginal, bins, solution);
@@ -142,8 +143,8 @@ transform::Solution marginals_solution(const problem::Problem& problem,
   return solution;
 }
 
-// A file with a marginal density. ExternalMarginal is built later, when the walls of the case are
-// known.
+// A file with a marginal density. The ExternalMarginal of a file is built later, when the walls of
+// the case are known.
 struct MarginalFile {
   NumberTable table;
   StateVariable variable;
@@ -162,8 +163,8 @@ struct DensityFilesWithLabel {
   std::optional<ExternalJointDensity> joint;
 };
 
-// Sets the equation, impact condition and order of a density from the argument. A setting that the
-// argument of --against lacks is taken from the density file.
+// Sets the density equation, impact condition and order of an external density from the argument of
+// --against. A setting that is missing in the argument of --against is taken from the density file.
 void set_identity(const ExternalDensityArgument& argument, const ExternalJointDensity* joint,
                   ExternalDensity& external) {
   const auto differ = [&](const char* what) {

@@ -49,7 +49,7 @@ StateSamples without_samples_at_rest(const StateSamples& samples, const problem:
   return left;
 }
 
-// Adds a marginal density to the solution: the fractions of all `n` samples in the bins, with
+// Adds a marginal density to the solution, from the fractions of all `n` samples in each bin, with
 // confidence intervals from the standard errors of the fractions.
 void add_marginal(const std::vector<double>& edges, const std::vector<double>& values, double n,
                   double independent, StateVariable variable, Solution& solution) {

@@ -12,7 +12,8 @@
 #include "methods/external/number_table.hpp"
 #include "methods/external/range_between_walls.hpp"
 
-// This include follows fpclassify, since makima of Boost 1.74 calls isnan without a declaration.
+// The include of makima.hpp follows fpclassify, since makima of Boost 1.74 calls isnan without a
+// declaration.
 #include <boost/math/interpolators/makima.hpp>
 
 namespace fpkcheck::methods {
@@ -48,7 +49,8 @@ void require_axis(const std::vector<double>& axis, const char* symbol, const std
   }
 }
 
-// Akima's modified interpolant of values at increasing points; 0 outside the range of the points.
+// Akima's modified interpolant of function values at increasing points; 0 outside the range of the
+// points.
 class AkimaInterpolant {
  public:
   AkimaInterpolant(const std::vector<double>& at, std::vector<double> values)
@@ -73,8 +75,8 @@ JointTable make_joint_table(const NumberTable& table) {
   JointTable joint{distinct_values(table, of_y), distinct_values(table, of_v), {}};
   require_axis(joint.y, "y", source);
   require_axis(joint.v, "y'", source);
-  // The number of rows is tested before memory is allocated, since a short file may imply a huge
-  // grid.
+  // The number of rows of the table is tested before memory is allocated, since a short file may
+  // imply a huge grid.
   const std::size_t nv = joint.v.size(), rows = table.rows.size();
   if (joint.y.size() > rows / nv) {
     throw InputError(fmt::format(
