@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Largest accepted file size in bytes; the joint densities of hundreds of cases need less.
+// Largest accepted size of a netCDF file in bytes; the joint densities of hundreds of cases need
+// less.
 constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
 
 const std::string kSourcePrefix = "source_";
@@ -37,7 +38,7 @@ std::vector<std::string> solution_ids(const Run& run) {
   return ids;
 }
 
-/// Values of a netCDF variable of a case, shape (solution, cells); NaN for solutions without
+/// Values of a netCDF variable of one case, shape (solution, cells); NaN for solutions without
 /// values.
 class NetCdfSolutionVariable {
  public:
@@ -60,7 +61,7 @@ class NetCdfSolutionVariable {
 };
 
 // Returns the probabilities of rest in contact as text: "mcs: 0.0303 at y = -0.5, 0.0301 at y =
-// 0.5". The text is empty if all probabilities of rest are zero.
+// 0.5". The text on the probabilities of rest is empty if all probabilities of rest are zero.
 std::string atoms_text(const CaseResult& case_result) {
   std::vector<std::string> solutions;
   for (const auto& solution : case_result.solutions) {
@@ -111,7 +112,8 @@ void write_joint_densities_of_case(NetCdfWriter& file, const CaseResult& case_re
   }
 }
 
-/// Calls use(case, solution, density) for each solution with values in a netCDF variable.
+/// Calls use(case, solution, density) for each case and each solution with values in a netCDF
+/// variable.
 template <class Use>
 void for_each_stored_density(NetCdfReader& file, const std::string& name,
                              const std::vector<std::string>& solutions, Use use) {

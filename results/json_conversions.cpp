@@ -20,13 +20,13 @@ using transform::Metrics;
 using transform::SolverMetric;
 using transform::SolverMetricKind;
 
-// Largest accepted nesting depth of JSON. JSON files of this program are nested less deeply, and
-// the stack suffices for far deeper nesting.
+// Largest accepted nesting depth of JSON. JSON files of the program have a smaller nesting depth,
+// and the stack suffices for a far larger nesting depth.
 constexpr int kMaxDepth = 32;
-// Largest accepted number of JSON values. JSON files of hundreds of cases have fewer values, and
-// the memory suffices for far more values.
+// Largest accepted number of JSON values. JSON files of hundreds of cases have fewer values than
+// kMaxJsonValues, and the memory suffices for far more values.
 constexpr std::size_t kMaxJsonValues = 2'000'000;
-// Largest length of a text; suffices for a very long command line.
+// Largest accepted length of a text in JSON, which suffices for a very long command line.
 constexpr std::size_t kMaxTextLength = 1 << 20;
 
 // Returns the JSON value at a path, and creates missing objects and lists along the path.
@@ -178,8 +178,8 @@ double number_at_key(const Json& object, const char* key) {
 }
 
 int integer_at_key(const Json& object, const char* key) {
-  // The function get<int>() of the JSON library is not used, since it would silently convert 1e300
-  // and integers out of range.
+  // The function get<int>() of the JSON library is not used, since get<int>() would silently
+  // convert 1e300 and integers out of range.
   const base::Value value = value_from_json(object.at(key));
   const auto* whole = std::get_if<std::int64_t>(&value);
   if (whole == nullptr || !std::in_range<int>(*whole)) {

@@ -11,8 +11,7 @@ namespace {
 
 using compare::ClosuresWithSameLimitingError;
 
-// Returns the ids of the closures of a group as text: "epc-gaussian-n2, -n4 (inadmissible) and
-// -n6".
+// Returns the ids of a group of closures as text: "epc-gaussian-n2, -n4 (inadmissible) and -n6".
 std::string closure_id_list(const CaseResult& case_result,
                             const ClosuresWithSameLimitingError& group) {
   std::vector<std::string> ids;
@@ -46,7 +45,7 @@ std::string error_fractions_text(const ClosuresWithSameLimitingError& group) {
 }
 
 // Returns the text of a group of closures with the same limiting error. Only the first percentage
-// in the sentence has the explanation "of the sum of the parts".
+// in the text on limiting errors has the explanation "of the sum of the parts".
 std::string closure_group_text(const CaseResult& case_result,
                                const ClosuresWithSameLimitingError& group, bool& explained) {
   const std::string closures = closure_id_list(case_result, group);

@@ -31,8 +31,8 @@ void recover_interrupted_run(const fs::path& directory) {
   base::remove_abandoned_partial_files(directory);
 }
 
-// Creates an empty hidden file to test that the directory is writable. An existing file of the same
-// name, from an earlier process with the same process id, is removed first.
+// Creates an empty hidden file to test that a directory is writable. An existing hidden file of the
+// same name, from an earlier process with the same process id, is removed first.
 fs::path create_probe_file(const fs::path& directory) {
   fs::path file = base::partial_file_path(directory / "run");
   fs::remove(file);
@@ -71,8 +71,8 @@ OutputDirectoryLock::~OutputDirectoryLock() {
 OutputDirectoryLock prepare_output_directory(const fs::path& directory) {
   if (directory.empty()) throw InputError("--out is empty; give a directory");
   try {
-    // Another run may remove its empty directories at the same time. The loop therefore repeats the
-    // attempt until the hidden file of this run exists.
+    // Since another run may remove its empty directories at the same time, the preparation of the
+    // directory is repeated until the hidden file of the present run exists.
     for (int attempt = 0; attempt < 20; ++attempt) {
       try {
         return try_prepare_directory(directory);

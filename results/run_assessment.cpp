@@ -31,7 +31,7 @@ std::vector<SolutionAgreementOverCases> agreement_rows(const results::Run& run) 
         place = known + 1;
         continue;
       }
-      // A new row is inserted after the row of the preceding solution of the case.
+      // A row for a new solution is inserted after the row of the preceding solution of the case.
       place = all.insert(place, SolutionAgreementOverCases{&solution.identity, {}}) + 1;
     }
   }
@@ -40,7 +40,7 @@ std::vector<SolutionAgreementOverCases> agreement_rows(const results::Run& run) 
       row.entries.push_back(agreement_in_case(one, row.identity->id));
     }
   }
-  // A solution that is not applicable in any case gets no row.
+  // A solution that is not applicable in any case gets no row in the assessment.
   std::erase_if(all, [](const SolutionAgreementOverCases& row) {
     return std::ranges::all_of(row.entries, [](const SolutionAgreementInCase& entry) {
       return entry.solution == nullptr || entry.solution->status == transform::Status::not_offered;

@@ -165,8 +165,8 @@ SolutionPairDistances pair_distances_from_json(const Json& json) {
   d.l2 = number_or_default(kNotANumber, json.at("l2"));
   d.sup = number_or_default(kNotANumber, json.at("sup"));
   d.hellinger = number_or_default(kNotANumber, json.at("hellinger"));
-  // In JSON files null represents both infinity and NaN. A finite distance l1 implies finite
-  // densities, for which the divergence kl may be infinite but not NaN.
+  // In JSON files null represents both infinity and NaN. A finite L1 distance implies finite
+  // densities, for which the Kullback-Leibler divergence may be infinite but not NaN.
   d.kl = number_or_default(std::isfinite(d.l1) ? kInfinity : kNotANumber, json.at("kl"));
   for (const auto& tail : json.at("log10_tail")) {
     d.log10_tail.push_back({.from = tail.at("from"),
@@ -231,7 +231,8 @@ compare::ClosuresWithSameLimitingError limiting_error_from_json(
   return group;
 }
 
-// Reads an assessment and requires exactly the solutions of the case, in the same order.
+// Reads the assessment of a case and requires exactly the solutions of the case, in the order of
+// the case.
 compare::SolutionsAssessment assessment_from_json(const Json& json, const CaseResult& case_result) {
   const auto id_in = [&](const Json& object) {
     auto id = object.at("solution").get<std::string>();

@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using base::in_quotes;
 using base::to_printable_text;
 
-// Largest accepted size of a file of a run, which suffices for hundreds of cases.
+// Largest accepted size of a text file of a saved run, which suffices for hundreds of cases.
 constexpr std::size_t kMaxTextBytes = 64 << 20;
 
 std::istringstream open_saved_file(const fs::path& file) {
@@ -53,8 +53,8 @@ CaseResult* find_case(Run& run, const std::string& name) {
   return found == run.cases.end() ? nullptr : &*found;
 }
 
-// Throws if the checksum of a file differs from the checksum in the summary of the run. Runs of
-// older versions have no checksums.
+// Throws InputError if the checksum of a file differs from the checksum in the summary of the run.
+// Runs of older program versions have no checksums.
 void require_same_run(const fs::path& file, std::string_view contents, const Run& run) {
   const auto recorded = std::ranges::find(run.files, file.filename().string(), &FileChecksum::file);
   if (recorded != run.files.end() && recorded->crc32 != crc32_hex(contents)) refuse_other_run(file);
@@ -64,7 +64,7 @@ void read_curves(const fs::path& file, Run& run, std::vector<DensityCurve> CaseR
   auto csv = open_saved_file(file);
   require_same_run(file, csv.view(), run);
   // Simulated trajectories may overflow. A simulation with an overflow has the status `failed`, and
-  // its density may be infinite or NaN. The density of an `ok` solution is finite.
+  // its density may be infinite or NaN. The density of a solution with the status `ok` is finite.
   const auto allows_non_finite = [&run](const std::string& case_name, const std::string& solution) {
     const CaseResult* case_result = find_case(run, case_name);
     const auto* found = case_result == nullptr ? nullptr : case_result->find(solution);
@@ -78,7 +78,8 @@ void read_curves(const fs::path& file, Run& run, std::vector<DensityCurve> CaseR
   }
 }
 
-// Returns whether exactly the solutions with a density have curves.
+// Returns whether exactly those solutions of a case that have a density also have marginal density
+// curves.
 bool has_matching_curves(const CaseResult& case_result) {
   std::set<std::string> with_curves, with_density;
   for (const auto& curve : case_result.curves) with_curves.insert(curve.solution);

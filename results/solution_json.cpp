@@ -20,11 +20,13 @@ using transform::Moments;
 using transform::Solution;
 using transform::SolutionIdentity;
 
-// The following texts represent the unknown equation and impact condition of an external density.
+// Texts that represent the unknown density equation and the unknown impact condition of an external
+// density.
 constexpr const char* kUnknownEquation = "given";
 constexpr const char* kUnknownImpact = "-";
 
-// Keys that all solvers share. All other keys of a solution are metrics of its solver.
+// Keys of a solution in JSON that all solvers share. All other keys of a solution in JSON are
+// metrics of its solver.
 constexpr std::string_view kCommonKeys[] = {"id",
                                             "method",
                                             "equation",
@@ -42,7 +44,8 @@ constexpr std::string_view kCommonKeys[] = {"id",
                                             "standard_errors",
                                             "sampling_l1",
                                             "smooth_sampling_l1"};
-// Keys of "error" that all solvers share. All other keys of "error" are metrics of the solver.
+// Keys of the JSON object "error" that all solvers share. All other keys of the JSON object "error"
+// are metrics of the solver.
 constexpr std::string_view kCommonErrorKeys[] = {"y_l1", "ydot_l1", "moments"};
 
 bool contains_key(std::span<const std::string_view> keys, std::string_view key) {

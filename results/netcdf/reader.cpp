@@ -11,8 +11,8 @@
 namespace fpkcheck::results {
 namespace {
 
-// Largest accepted number of values of a variable. All solutions of a case together have less than
-// a million values.
+// Largest accepted number of values of a netCDF variable. The joint densities of all solutions of a
+// case together have less than a million values.
 constexpr std::size_t kMaxValues = std::size_t{1} << 24;
 constexpr std::size_t kMaxLabels = 10000;
 constexpr std::size_t kMaxAttributeLength = 10000;
@@ -28,7 +28,8 @@ void check_read_status(int status, const std::string& what) {
 NetCdfReader::NetCdfReader(std::string bytes) : bytes_(std::move(bytes)) {
   // libnetcdf does not validate the headers of formats older than netCDF-4 (HDF5).
   if (!bytes_.starts_with(kNetCdfMagic)) throw std::runtime_error("not netCDF-4");
-  // The file is opened from memory, since libnetcdf interprets some paths as network addresses.
+  // The netCDF file is opened from memory, since libnetcdf interprets some paths as network
+  // addresses.
   check_read_status(nc_open_mem("bytes", NC_NOWRITE, bytes_.size(), bytes_.data(), &id_),
                     "cannot be opened");
 }
@@ -89,8 +90,9 @@ std::size_t NetCdfReader::value_count(const std::string& name) {
     }
     count *= length;
   }
-  // A file of one kilobyte may declare any number of values, since unwritten values take no space.
-  // The limit kMaxValuesPerByte is the highest compression of single-precision values by deflate.
+  // A netCDF file of one kilobyte may declare any number of values, since unwritten values take no
+  // space. The limit kMaxValuesPerByte is the highest compression of single-precision values by
+  // deflate.
   constexpr std::size_t kMaxValuesPerByte = 260;
   requested_values_ += count;
   if (requested_values_ > kMaxValuesPerByte * bytes_.size()) {
@@ -105,7 +107,8 @@ std::size_t NetCdfReader::value_count(const std::string& name) {
   std::vector<std::size_t> chunk(lengths.size());
   check_read_status(nc_inq_var_chunking(id_, id, &storage, chunk.data()), name);
   if (storage != NC_CHUNKED) return count;
-  // The chunk size is limited, since libnetcdf allocates whole chunks even for few values.
+  // The chunk size of netCDF variables is limited, since libnetcdf allocates whole chunks even for
+  // few values.
   for (std::size_t k = 0; k < chunk.size(); ++k) {
     if (chunk[k] > std::max<std::size_t>(lengths[k], 1)) {
       throw std::runtime_error(fmt::format("{}: a chunk exceeds the dimensions", name));
