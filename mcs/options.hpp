@@ -40,8 +40,8 @@ struct SimulationProcessGroup {
 };
 
 struct SimulationOptions {
-  /// Excitation of the simulation: `kf` for the impulses, paper (3), or `white` for Gaussian white
-  /// noise with the mean and the intensity of the impulses
+  /// Excitation of the simulation, which is `kf` for the impulses, paper (3), or `white` for
+  /// Gaussian white noise with the mean and the intensity of the impulses
   DensityEquation equation = DensityEquation::kf;
   /// Simulated time, summed over all trajectory streams, rounded up to whole rounds. The default
   /// simulated time is 1.6e6 decay times of the slowest mode of equivalent linearisation; below
@@ -95,9 +95,9 @@ struct SimulationOptions {
   /// Spline grid on which the samples are deposited (SimulationSummary::deposits), only for
   /// impulses (`kf`) without the option `tails`; the grid changes no other result
   std::optional<SampleDepositionGrid> deposit{};
-  /// Checkpoint file, written every half minute and at the end; if empty, no checkpoint is written.
-  /// The simulation does not begin if the checkpoint path cannot be written; later write errors
-  /// call the function `warn`.
+  /// Checkpoint file, written every half minute and at the end of the simulation; if empty, no
+  /// checkpoint is written. The simulation does not begin if the checkpoint path cannot be written;
+  /// later write errors call the function `warn`.
   std::string checkpoint{};
   /// Checkpoint file from which the simulation resumes, with the result of an uninterrupted run,
   /// bit for bit; if empty, the simulation begins anew

@@ -449,8 +449,7 @@ SimulationResult simulate_stationary_density(const problem::Problem& problem,
   const SimulationPlan plan = make_simulation_plan(problem, options);
   require_options_for_processes(options);
   // After inelastic collapse evenly spaced kicks would lift the mass off the wall after each kick
-  // interval. The simulated density would depend on the kick interval and would not converge as the
-  // kick interval tends to 0.
+  // interval, so that the simulated density would not converge as the kick interval tends to 0.
   solution.reason = problem::inelastic_collapse_reason(problem, options.equation);
   if (!solution.reason.empty()) return result;
   CheckpointWriter checkpoints(options.checkpoint, [&](const std::string& warning) {

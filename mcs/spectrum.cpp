@@ -110,7 +110,6 @@ double interpolate_density(const std::vector<double>& density, double step, doub
   return (1 - weight) * density[k] + weight * density[k + 1];
 }
 
-// Sums of the periodograms of one trajectory stream
 struct StreamSpectrum {
   // Sums of periodograms over segments of the whole length, and over segments of half the whole
   // length
@@ -144,7 +143,6 @@ double alias_density(double c, double nyquist, double w) {
   return c * sum;
 }
 
-// Returns the mean of all samples in the displacement series.
 double mean_of_series(Simulation& simulation) {
   double sum = 0, samples = 0;
   for (std::size_t s = 0; s < simulation.trajectory_streams().size(); ++s) {

@@ -62,7 +62,6 @@ class SplineSpanPolynomials {
   /// point without a search loop.
   double span_search_cells_per_unit_length() const { return cells_per_length_; }
   int cell_count() const { return static_cast<int>(span_of_cell_.size()); }
-  /// Index of the knot span at the beginning of each search cell
   const int* span_at_search_cell_begin() const { return span_of_cell_.data(); }
   const double* spline_knots() const { return breaks_.data(); }
   const double* reciprocal_span_lengths() const { return per_length_.data(); }
@@ -115,9 +114,8 @@ struct DepositedSampleSums {
   int flow_pitch = 0, lattice_pitch = 0;
   std::vector<double> flow;     ///< shape (number of splines in y, flow_pitch); rows are padded
   std::vector<double> lattice;  ///< shape (number of splines in y, lattice_pitch); rows are padded
-  /// Sums over samples for the smooth bins of y; bin b has the index b + kBinOffset
+  /// Sums over samples for the smooth bins of y and of y'; bin b has the index b + kBinOffset
   std::vector<double> y_bins;
-  /// Sums over samples for the smooth bins of y'; bin b has the index b + kBinOffset
   std::vector<double> v_bins;
   /// Sums over samples of y'', y'' y and y'' y', with y'' from the flight polynomials
   std::array<double, 3> acceleration{};

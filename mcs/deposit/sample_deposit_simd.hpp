@@ -26,8 +26,8 @@ FPKCHECK_INLINE void add_to_eight_sums(double* to, const Real8& terms) {
   simd::store(simd::load<Real8>(to) + terms, to);
 }
 
-/// Values and slopes of the six B-splines that are nonzero at a point; `first` is the index of the
-/// first of these B-splines.
+/// Values and slopes of the six B-splines that are nonzero at a point, with the index `first` of
+/// the first of the six B-splines.
 struct SplineValuesAndSlopes {
   Real8 value, slope;
   int first;

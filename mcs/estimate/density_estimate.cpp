@@ -29,11 +29,11 @@ struct IntervalOfConstantDensity {
   double lower, upper;
 };
 
-/// Returns the score interval of Wilson (J. Am. Stat. Assoc. 22 (1927) 209) for rare events: the
-/// densities d with |d - mean| <= t s(d) and s^2(d) = error^2 d / mean. The variance s^2(d) is
-/// proportional to the density d, since the visits to a bin are nearly a Poisson process. After few
-/// visits to a bin the interval mean +- t error often misses the true density, which is more often
-/// above this interval than below.
+/// Returns the score interval of Wilson (Journal of the American Statistical Association 22 (1927)
+/// 209) for rare events: the densities d with |d - mean| <= t s(d) and s^2(d) = error^2 d / mean.
+/// The variance s^2(d) is proportional to the density d, since the visits to a bin are nearly a
+/// Poisson process. After few visits to a bin the interval mean +- t error often misses the true
+/// density, which is above the interval more often than below the interval.
 IntervalOfConstantDensity score_interval(double mean, double error, double t) {
   const double shift = t * t * error * error / (2 * mean);
   const double half_width = std::sqrt(shift * (2 * mean + shift));

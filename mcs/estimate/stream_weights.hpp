@@ -10,7 +10,8 @@ struct MeanEstimate {
   double standard_error = 0;
 };
 
-/// Estimated quantile of a variable: `probability` is the probability of values below `value`.
+/// Estimated quantile of a variable, with the `probability` of values of the variable below the
+/// quantile `value`.
 struct QuantileWithConfidenceInterval {
   double probability;
   double value;
@@ -41,8 +42,8 @@ struct RateOfEventsAtLevel {
 /// For a stream s in half B, the halves A and B are exchanged in the formula of the weight w_s. The
 /// weights w_s and excess powers b_s of the streams satisfy sum w_s = 1 and sum w_s b_s = 0. The
 /// estimates of moments, histogram and fluxes all use the stream weights w_s and are therefore
-/// consistent. The stream weights are near 1/n; a weight is negative only in short runs with few
-/// streams.
+/// consistent. The weights of n streams are near 1/n; a stream weight is negative only in short
+/// simulations with few streams.
 class TrajectoryStreamWeights {
  public:
   /// @param excess_powers excess power of each trajectory stream, for at least eight streams

@@ -48,7 +48,6 @@ class ImpulseSource {
     return {block_.waiting_time[index], block_.amplitude[index]};
   }
 
-  /// Returns the number of impulses drawn so far.
   std::uint64_t drawn_impulse_count() const { return number_; }
   /// Sets the impulse generator to the state after `number` drawn impulses.
   void seek_to_impulse(std::uint64_t number);

@@ -23,8 +23,8 @@ struct UniformRandomNumbers {
   std::array<double, kImpulsesPerBlock> first, second, third;
 };
 
-/// Returns the uniform random numbers of the impulses `first_impulse` .. `first_impulse +
-/// kImpulsesPerBlock - 1` of a trajectory stream.
+/// Returns the uniform random numbers of kImpulsesPerBlock successive impulses of a trajectory
+/// stream, beginning with the impulse `first_impulse`.
 UniformRandomNumbers uniform_random_numbers(std::uint64_t seed, std::uint32_t stream,
                                             RandomNumberPurpose purpose,
                                             std::uint64_t first_impulse);

@@ -13,7 +13,7 @@ namespace fpkcheck::mcs {
 struct StreamMotionParameters {
   SimulatedOscillator oscillator;
   NoiseKicks kicks{};  ///< noise kicks; absent with SimulatedOscillator::Kind::duffing_at_wall
-  /// limit of the time step of Taylor series in radians, see DuffingFlight::max_flight_duration
+  /// Limit of the time step of Taylor series in radians (DuffingFlight::max_flight_duration)
   double step;
   double sampling_interval;
   const BinFinder* y_bins;
@@ -34,7 +34,8 @@ struct StreamMotionParameters {
   double end_time = 0;  ///< time at the end of advance_all_streams(), used with `time_dependence`
 };
 
-/// Returns the factor of the noise intensity at the present time of a branch.
+/// Returns the time-dependent factor of the noise intensity, at the present time of a trajectory
+/// branch.
 double noise_intensity_factor(const StreamMotionParameters& motion, const TrajectoryBranch& branch);
 /// Returns true with the probability a(t), the ratio of the impulse rate at the time t to the
 /// largest impulse rate. If accept_impulse_by_thinning() returns true, the stream receives an
@@ -50,7 +51,7 @@ bool accept_impulse_by_thinning(const StreamMotionParameters& motion, Trajectory
 /// The result of a trajectory stream does not depend on other streams, on the number of streams or
 /// on the instruction set.
 /// @param streams any number of trajectory streams; each SIMD lane advances one stream
-/// @pre `splitting`, `deposit` and `keeps_states` require `records`; `splitting` excludes
+/// @pre `splitting`, `deposit` and `keeps_states` require `records`, and `splitting` excludes
 /// `records_displacement_series` and `keeps_states`
 void advance_all_streams(const StreamMotionParameters& motion,
                          std::span<TrajectoryStream* const> streams, double duration,

@@ -2,7 +2,8 @@
 
 namespace fpkcheck::mcs::dormand_prince {
 
-// Coefficients of the method of Dormand and Prince of order 5(4) (J. Comput. Appl. Math. 6, 1980).
+// Coefficients of the method of Dormand and Prince of order 5(4) (Journal of Computational and
+// Applied Mathematics 6, 1980).
 inline constexpr int kStages = 7;
 /// Coefficients of the Runge-Kutta stages; the last row contains the weights of the solution of
 /// order 5.

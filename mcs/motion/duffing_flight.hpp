@@ -26,8 +26,8 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   }
   DuffingFlight(SimulatedOscillator&&, const PhaseState<Real>&) = delete;
 
-  /// Returns the longest duration of a DuffingFlight: `phase` radians at the upper bound of the
-  /// frequency.
+  /// Returns the longest duration of a DuffingFlight, which is `phase` radians at the upper bound
+  /// of the frequency.
   ///
   /// By Sturm's comparison theorem, the zeros of a solution y(t) of y'' + c y' + (g(y)/y) y = 0
   /// have distances of at least pi / sqrt(max g(y)/y). If `phase` is below pi, a flight therefore

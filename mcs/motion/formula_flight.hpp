@@ -70,10 +70,10 @@ struct FlightIntegratorState {
 };
 
 /// Free flight of an oscillator whose force is a formula: a step of the method of Dormand and
-/// Prince of order 5(4) (J. Comput. Appl. Math. 6, 1980), whose embedded solution of order 4 limits
-/// the integration step. A flight of duration 0 replaces an inaccurate integration step, so that no
-/// SIMD lane waits for other lanes. The motion in a FormulaFlight is the Hermite polynomial of
-/// degree 5 with the position, velocity and acceleration at the two ends.
+/// Prince of order 5(4) (Journal of Computational and Applied Mathematics 6, 1980), whose embedded
+/// solution of order 4 limits the integration step. A flight of duration 0 replaces an inaccurate
+/// integration step, so that no SIMD lane waits for other lanes. The motion in a FormulaFlight is
+/// the Hermite polynomial of degree 5 with the position, velocity and acceleration at the two ends.
 template <class Real>
 class FormulaFlight : public FreeFlight<Real, 6> {
   using Base = FreeFlight<Real, 6>;
@@ -112,7 +112,8 @@ class FormulaFlight : public FreeFlight<Real, 6> {
     const Real known_error =
         simd::select(error == error, error, simd::all_lanes_equal_to<Real>(1e100));
     const Real next = step_ * error_controlled_step_factor(known_error);
-    // If the force at the start of an integration step is not finite, a shorter step does not help.
+    // If the force at the start of an integration step is not finite, a shorter integration step
+    // does not help.
     const Mask rejected = moving & (known_error > 1.0) & (step_ > shortest) & (first == first);
     const Mask accepted = moving & (rejected == none);
     // The next trial step does not decrease after an integration step that an event has shortened,
@@ -150,8 +151,9 @@ class FormulaFlight : public FreeFlight<Real, 6> {
   // Formula.MomentsDoNotDependOnTheStep).
   static constexpr double kTolerance = 1e-6, kToleranceAtKinks = 3e-8;
   static constexpr double kLongestStep = 0.6;
-  // Shortest integration steps relative to the longest step. At a jump of the force in v the error
-  // estimate would demand ever shorter integration steps while the velocity stays at the jump.
+  // Shortest integration steps as fractions of the longest integration step. At a jump of the force
+  // in v the error estimate would demand ever shorter integration steps while the velocity stays at
+  // the jump.
   static constexpr double kShortest = 1e-9, kShortestAtJumps = 1.0 / 256;
   static constexpr double kSafety = 0.9, kLeastFactor = 0.2, kLargestFactor = 5;
 

@@ -26,7 +26,6 @@ struct SimulatedWall {
   /// null for a constant r
   const problem::Wall* formula = nullptr;
 
-  /// Returns whether impacts dissipate energy.
   bool has_impact_losses() const { return exists && (restitution < 1 || formula != nullptr); }
 };
 

@@ -9,7 +9,6 @@
 namespace fpkcheck::mcs {
 namespace {
 
-/// Returns the slope g'(y) of the restoring force g(y).
 template <class Real>
 FPKCHECK_INLINE Real tangent_stiffness(const SimulatedOscillator& o, const Real& y) {
   Real sum = simd::all_lanes_equal_to<Real>(5 * o.force[5]);
@@ -106,9 +105,9 @@ class PolynomialFlight : public FreeFlight<Real, kOrder> {
     compute_taylor_coefficients<kOrder, Real>(oscillator, a_);
   }
 
-  /// Returns the longest duration of a PolynomialFlight: `phase` radians of a frequency w. The
-  /// frequency w satisfies |d^n y/ds^n| <= A w^n for the last Taylor coefficients, with the extent
-  /// A of the motion, and w^2 is at least the tangent stiffness. The initial energy of a
+  /// Returns the longest duration of a PolynomialFlight, which is `phase` radians of a frequency w.
+  /// The frequency w satisfies |d^n y/ds^n| <= A w^n for the last Taylor coefficients, with the
+  /// extent A of the motion, and w^2 is at least the tangent stiffness. The initial energy of a
   /// PolynomialFlight gives no bound of the frequency, since the energy may grow.
   ///
   /// The velocity of a PolynomialFlight satisfies a linear equation with the coefficient g'(y). By

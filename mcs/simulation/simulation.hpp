@@ -99,7 +99,7 @@ class Simulation {
   std::vector<TrajectoryStream> streams_;
 };
 
-/// Returns the number value(statistics) for each trajectory stream.
+/// Returns the value of a function of the statistics for each trajectory stream.
 template <class Value>
 std::vector<double> statistic_of_each_stream(const std::vector<TrajectoryStream>& streams,
                                              Value value) {

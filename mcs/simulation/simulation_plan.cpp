@@ -30,8 +30,8 @@ constexpr double kErrorOfOneDecayTime = 2.5;
 // Factor of the default simulated time for importance splitting, since splitting multiplies the
 // computing work
 constexpr double kTailsShare = 1.0 / 32;
-// Factor of the default simulated time for control variates: L1 errors over smooth bins are 3e-6 to
-// 1e-5 in the cases of the paper, at most a third of the errors of finite volumes.
+// Factor of the default simulated time for control variates, which gives L1 errors over smooth bins
+// of 3e-6 to 1e-5 in the cases of the paper, at most a third of the errors of finite volumes.
 constexpr double kControlledShare = 1.0 / 32;
 
 // Limits of the number of impulses and flights in all trajectory streams. One processor simulates
@@ -260,8 +260,8 @@ SimulationPlan make_simulation_plan(const problem::Problem& problem,
   const ImpulseProcess excitation = make_excitation(problem, options, scales);
   const double step = options.step.value_or(kAutomaticStepInRadians);
   // The frequency at the mean energy determines the sampling interval. If most of the probability
-  // mass is at rest in contact, the frequency at the mean energy belongs to tiny bounces. For this
-  // case the impulse rate gives a lower limit of the sampling interval.
+  // mass is at rest in contact, the frequency at the mean energy belongs to tiny bounces. The
+  // impulse rate gives a lower limit of the sampling interval for motion that is mostly at rest.
   constexpr double kSamplesPerRest = 50;
   const double least =
       has_contact_atoms ? 1 / problem.impulses.arrival_rate() / kSamplesPerRest : 0;

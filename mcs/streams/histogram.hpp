@@ -14,7 +14,7 @@ void require_increasing_edges(const std::string& name, const std::vector<double>
 /// Search for the bin that contains a number, among bins that may have different widths.
 class BinFinder {
  public:
-  /// @param edges n + 1 increasing numbers, n >= 1
+  /// @param edges n + 1 increasing edges of n >= 1 bins
   explicit BinFinder(std::vector<double> edges);
 
   /// Returns the index of the bin that contains x: 0 below the first edge, 1 .. n between the

@@ -35,7 +35,8 @@ inline constexpr std::array<std::pair<int, int>, 14> kRecordedMomentPowers{{{1, 
 struct TrajectoryStreamStatistics {
   JointHistogram histogram;
   std::vector<double> peaks;  ///< weights of the maxima of y in each bin of y, outer bins included
-  /// Weights of the minima of y without wall contact in each bin of y, outer bins included
+  /// Sums of the weights of the minima of y without wall contact, for each bin of y including the
+  /// outer bins
   std::vector<double> troughs;
   std::array<double, kRecordedMomentPowers.size()> powers{};
   /// Sums of y^5 and y^6 over samples; 0 with DuffingFlights, for which no balance equation
