@@ -17,9 +17,7 @@ struct AmplitudeTable {
   WeightType kind = WeightType::probability;
   std::vector<double> amplitude, weight;
 
-  /// Returns the mean E[Y] of the amplitude Y.
   double amplitude_mean() const;
-  /// Returns the variance of the amplitude Y.
   double amplitude_variance() const;
   /// Returns the amplitude table of the law of -Y, where the amplitude Y has the present table.
   AmplitudeTable with_negated_amplitudes() const;

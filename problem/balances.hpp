@@ -17,8 +17,8 @@ struct PowerBalanceTerms {
   double mean_square_impulse_factor = 1;  ///< E[b^2] of parametric impulses with the factor b
 };
 
-/// Returns the energy lost in an impact at the speed u, with restitution coefficient r: (1 - r^2)
-/// u^2 / 2, or (1 - r) u^2 for ImpactCondition::delta.
+/// Returns the energy lost in an impact at the speed u with restitution coefficient r, which is (1
+/// - r^2) u^2 / 2, or (1 - r) u^2 for ImpactCondition::delta.
 double energy_loss_at_impact(const Wall& wall, ImpactCondition condition, double impact_speed);
 /// Returns the change (1 + r) u of the momentum in an impact at the speed u, with restitution
 /// coefficient r.
@@ -69,14 +69,14 @@ double power_balance_residual(const Problem& problem, const PowerBalanceTerms& t
 /// and atoms at rest add terms to the virial and momentum balances. The expectation E[g] of the
 /// restoring force includes the atoms at rest.
 ///
-/// The functions y v and v are linear in v, so that E[Y] is the only moment of Y in the virial and
-/// momentum balances. The virial and momentum balances therefore hold for the equations `kf`,
-/// `km4`, `km4_pade` and `white`, and also for the impact conditions `map` and `delta`: y v = 0 at
-/// the wall, and under both impact conditions the flux off the wall has the momentum r int w f dw,
-/// where f(w) is the flux of impacts with the speed w. The impact condition `delta` replaces the
-/// flux f(w) of impacts with the speed w by f + (1-r) d(w f)/dw; integration by parts gives the
-/// same momentum r int w f dw. Only the balance of power, quadratic in v, distinguishes `map` from
-/// `delta`.
+/// The functions f = y v and f = v in Dynkin's formula are linear in v, so that E[Y] is the only
+/// moment of Y in the virial and momentum balances. The virial and momentum balances therefore hold
+/// for the equations `kf`, `km4`, `km4_pade` and `white`, and also for the impact conditions `map`
+/// and `delta`: y v = 0 at the wall, and under both impact conditions the flux off the wall has the
+/// momentum r int w f dw, where f(w) is the flux of impacts with the speed w. The impact condition
+/// `delta` replaces the flux f(w) of impacts with the speed w by f + (1-r) d(w f)/dw; integration
+/// by parts gives the same momentum r int w f dw. Only the balance of power, whose energy is
+/// quadratic in v, distinguishes the impact condition `map` from `delta`.
 
 /// The two sides of a balance equation, which are equal for the exact stationary density of the
 /// problem.

@@ -56,7 +56,8 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
   const double d2 = problem.impulses.intensity() / 2;
   const auto stiffness = [&](double s1) { return mean_tangent_stiffness(system, s1); };
   const auto damping = [&](double k_eq) {
-    // The ratio sigma_2 / sigma_1 is sqrt(k_eq).
+    // In equivalent linearisation the ratio sigma_2 / sigma_1 of the standard deviations is
+    // sqrt(k_eq).
     return system.damping() + (1 - system.restitution()) * 2 / std::numbers::pi * std::sqrt(k_eq);
   };
   // The equation sigma_1^2 k_eq c_eq = D2 has exactly one root, the standard deviation sigma_1 of
@@ -73,7 +74,7 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
 double slowest_decay_rate(const EquivalentLinearisation& linearised) {
   const double discriminant = linearised.damping * linearised.damping - 4 * linearised.stiffness;
   if (discriminant <= 0) return linearised.damping / 2;
-  // The quotient form of the decay rate avoids the cancellation in c - sqrt(c^2 - 4k).
+  // The quotient form of the decay rate avoids the cancellation in c_eq - sqrt(c_eq^2 - 4 k_eq).
   return 2 * linearised.stiffness / (linearised.damping + std::sqrt(discriminant));
 }
 

@@ -52,7 +52,6 @@ class ImpulseTrain {
   explicit ImpulseTrain(const ImpulseParameters& parameters);
 
   const ImpulseParameters& impulse_parameters() const { return parameters_; }
-  /// Returns whether the arrival rate of impulses is positive.
   bool is_acting() const { return arrival_rate() > 0; }
   double arrival_rate() const { return parameters_.arrival_rate; }
   const ImpulseLaw& amplitude_law() const { return law_; }

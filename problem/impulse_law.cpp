@@ -37,13 +37,13 @@ double raw_moment(const Law& law, int j) {
   return sum;
 }
 
-// A law that is not symmetric about its mean has a member function with_negated_amplitudes(), which
-// returns the law of -Y.
+// An amplitude law that is not symmetric about its mean has a member function
+// with_negated_amplitudes(), which returns the law of -Y.
 template <class Law>
 concept AsymmetricLaw = requires(Law law) {
   law.with_negated_amplitudes();
 };
-// A law with shape parameters besides its mean and standard deviation.
+// An amplitude law with shape parameters besides its mean and standard deviation.
 template <class Law>
 concept LawWithShapeParameters = requires(LawShapeParameters shape) {
   Law::from_moments(0, 1, shape);

@@ -34,19 +34,16 @@ class ImpulseLaw {
   /// positive
   static ImpulseLaw from_name(std::string_view name, double mean, double deviation,
                               const LawShapeParameters& shape = {});
-  /// Returns the law of the negative amplitude -Y.
   ImpulseLaw with_negated_amplitudes() const;
 
   std::string_view name() const;
   const LawVariant& law_variant() const { return law_; }
 
-  /// Returns the moment E[Y^order].
   double moment(int order) const;
   /// Returns the moments E[Y^k], k = 0 .. 6.
   const std::array<double, kMomentCount>& moments() const { return moments_; }
 
   double mean() const;
-  /// Returns the standard deviation of Y.
   double amplitude_standard_deviation() const;
   /// Returns the skewness E[(Y - E[Y])^3] / deviation^3 of the amplitude Y.
   double skewness() const;
@@ -56,7 +53,6 @@ class ImpulseLaw {
   /// Returns the probability density of the impulse amplitude Y; 0 for a law that consists of
   /// atoms.
   double density(double amplitude) const;
-  /// Returns the probability P(Y <= amplitude).
   double cumulative_probability(double amplitude) const;
   /// Returns the amplitudes with positive probability, in increasing order; empty for an amplitude
   /// law with a density.

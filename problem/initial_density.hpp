@@ -37,8 +37,8 @@ struct StateRange {
 };
 
 /// Returns the range of states of the undamped motion from all states within six standard
-/// deviations of the mean of an initial density, between the walls. The energy is v^2/2 + V(y) with
-/// the potential V of EffectivePotential.
+/// deviations of the mean of an initial density, between the walls. The energy of the undamped
+/// motion is v^2/2 + V(y) with the potential V of EffectivePotential.
 /// @param problem problem in wall coordinates, with confined motion at any energy
 StateRange reachable_state_range(const Problem& problem, const InitialGaussian& density);
 

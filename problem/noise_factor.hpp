@@ -11,7 +11,8 @@
 namespace fpkcheck::problem {
 
 /// Interpretation of an equation with multiplicative noise sqrt(2D) g(y, v) W(t). The
-/// interpretations of Ito and Stratonovich differ only if g depends on v.
+/// interpretations of Ito and Stratonovich differ only if the noise factor g depends on the
+/// velocity v.
 enum class NoiseInterpretation { ito, stratonovich };
 inline constexpr base::EnumEntry<NoiseInterpretation> kInterpretationNames[] = {
     {NoiseInterpretation::ito, "ito"}, {NoiseInterpretation::stratonovich, "stratonovich"}};
@@ -64,7 +65,6 @@ class NoiseFactor {
   /// Returns the parity of the noise factor g under (y, v) -> (-y, -v) in physical coordinates.
   FunctionParity parity() const { return g_.formula().parity(); }
 
-  /// Returns the noise factor as a function of wall coordinates.
   NoiseFactor to_wall_coordinates(const WallFrame& frame) const {
     NoiseFactor transformed = *this;
     transformed.g_ = g_.to_wall_coordinates(frame);

@@ -31,9 +31,7 @@ struct Problem {
   WallFrame frame = {};
 };
 
-/// Returns the problem without impulses.
 Problem without_impulses(Problem problem);
-/// Returns the problem without white noise.
 Problem without_noise(Problem problem);
 
 /// Returns the diffusion coefficient D G(y, v) of multiplicative noise with the factor g, where G =

@@ -53,8 +53,8 @@ std::string barrier_unsupported_reason(const Problem& problem, double barrier);
 /// A feature of oscillators that the program does not support.
 struct UnsupportedOscillatorFeature {
   std::string_view subject;  ///< name of the feature in messages
-  /// Words in lower case that identify the unsupported feature in a key of a case file. A key is
-  /// split into words at '.', '_' and '-'.
+  /// Words in lower case that identify the unsupported feature in a key of a case file. Keys of a
+  /// case file are split into words at '.', '_' and '-'.
   std::vector<std::string_view> words;
 };
 

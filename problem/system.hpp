@@ -88,14 +88,12 @@ class System {
     if (formula_) return force(y, v) - force(y, 0);
     return v * (damping_(y) + c_.rayleigh * v * v);
   }
-  /// Returns the derivative of the force with respect to y.
   /// @pre the derivative exists at (y, v), and the noise has no factor that depends on v
   double force_slope_in_y(double y, double v) const {
     assert(!stratonovich_factor_);
     return formula_ ? sign_ * formula_->with_slope_in_x(y, v).derivative
                     : tangent_(y) + v * damping_slope_(y);
   }
-  /// Returns the derivative of the force with respect to v.
   /// @pre the derivative exists at (y, v), and the noise has no factor that depends on v
   double force_slope_in_v(double y, double v) const {
     assert(!stratonovich_factor_);
@@ -107,7 +105,6 @@ class System {
     assert(formula_);
     return formula_->formula();
   }
-  /// Returns whether the force jumps anywhere.
   bool has_force_jumps() const { return formula_ && formula_->formula().has_jumps(); }
   /// Returns whether the force jumps in v, as dry friction mu_c sign(v) does at v = 0.
   bool has_force_jumps_in_v() const { return formula_ && formula_->formula().has_jumps_in_v(); }

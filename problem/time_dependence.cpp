@@ -64,10 +64,10 @@ namespace {
 
 constexpr int kSampledTimes = 4096;
 
-// Returns the sampled time with the index k = 0 .. kSampledTimes in the time span 0 .. `until`. The
-// sampled times with an even index k are equidistant. The sampled times with an odd index k are
-// multiples of the golden ratio modulo 1, in units of `until`, so that the distances between
-// sampled times have no period.
+// Returns the sampled time with the index k = 0 .. kSampledTimes in the time span from 0 to
+// `until`. The sampled times with an even index k are equidistant. The sampled times with an odd
+// index k are multiples of the golden ratio modulo 1, in units of `until`, so that the distances
+// between sampled times have no period.
 double sampled_time(int k, double until) {
   return k % 2 == 0 ? until * k / kSampledTimes : until * std::fmod(k * std::numbers::phi, 1.0);
 }
@@ -119,9 +119,9 @@ void require_excitation_period(const ExcitationTimeDependence& time, double peri
         "--periodic: the excitation is constant; add the section [time], or omit --periodic");
   }
   const auto require = [&](const char* key, const auto& function) {
-    // The tolerance accepts a period with five digits. At most kMostJumps sampled values may differ
-    // from the values one period later, since rounding at a jump may give the value on the other
-    // side of the jump.
+    // The tolerance accepts a period of the excitation that is given with five digits. At most
+    // kMostJumps sampled values may differ from the values one period later, since rounding at a
+    // jump may give the value on the other side of the jump.
     constexpr double kTolerance = 1e-4;
     constexpr int kMostJumps = kSampledTimes / 100;
     const double largest = largest_value(

@@ -27,7 +27,8 @@ const base::OptionsDescription<ExcitationTimeFormulas>& time_parameter_descripti
 /// term -F(t) dp/dv.
 class ExcitationTimeDependence {
  public:
-  /// Constructs a constant excitation: a = b = 1, F = 0.
+  /// Constructs a constant excitation, with the factors a = b = 1 of impulse rate and noise
+  /// intensity and the external force F = 0.
   ExcitationTimeDependence() = default;
   /// @param constants named constants of the formulas, section [parameters]
   /// @throws InputError for an invalid formula of the time t

@@ -43,7 +43,6 @@ struct WallParameters {
   bool none = false;  ///< whether the case file states that there is no wall
 
   bool operator==(const WallParameters&) const = default;
-  /// Returns whether the case file has no section [wall].
   bool is_section_absent() const { return *this == WallParameters{}; }
 };
 

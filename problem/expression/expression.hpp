@@ -40,14 +40,13 @@ class Expression {
  public:
   /// Parses the text of a formula.
   /// @param label beginning of error messages, for example the key of the case file
-  /// @param variables letters of the variables that the formula may contain: `y`, `v`, or `t`
-  /// instead of `y`
+  /// @param variables letters of the variables that the formula may contain, for example "yv" or
+  /// "t"
   /// @throws InputError "LABEL column N: CAUSE; ACTION" for a text outside the grammar, an unknown
   /// name, or a text above the limits of length, nesting and number of operations
   static Expression parse(std::string_view text, const NamedConstants& constants,
                           const std::string& label, std::string_view variables = "yv");
 
-  /// Returns the text of the formula, as passed to parse().
   const std::string& formula_text() const { return text_; }
 
   /// Returns the value of the expression. The template argument `Number` is double, DualNumber, or
@@ -67,12 +66,10 @@ class Expression {
   /// kBatchPoints points.
   void evaluate_batch_with_velocity_slopes(std::size_t count, const double* y, const double* v,
                                            double* values, double* slopes) const;
-  /// Returns the derivative of the expression with respect to y.
   /// @pre the derivative exists at (y, v)
   double derivative_in_y(double y, double v) const {
     return (*this)(numerics::DualNumber{y, 1}, numerics::DualNumber{v, 0}).derivative;
   }
-  /// Returns the derivative of the expression with respect to v.
   /// @pre the derivative exists at (y, v)
   double derivative_in_v(double y, double v) const {
     return (*this)(numerics::DualNumber{y, 0}, numerics::DualNumber{v, 1}).derivative;

@@ -70,7 +70,7 @@ ExponentialLaw ExponentialLaw::from_moments(double mean, double deviation,
 double ExponentialLaw::standard_deviation() const { return std::abs(scale); }
 
 double ExponentialLaw::standardised_amplitude_moment(int n) const {
-  // The number of derangements satisfies the recursion D_n = n D_{n-1} + (-1)^n.
+  // The number D_n of derangements of n objects satisfies the recursion D_n = n D_{n-1} + (-1)^n.
   double derangements = 1;
   for (int i = 1; i <= n; ++i) derangements = i * derangements + (i % 2 == 0 ? 1 : -1);
   return scale < 0 && n % 2 != 0 ? -derangements : derangements;

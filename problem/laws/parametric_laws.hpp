@@ -19,8 +19,8 @@ struct GaussianLaw {
   double width_parameter() const { return deviation; }
   double standard_deviation() const { return deviation; }
 
-  /// Returns the moment E[((Y - mean) / deviation)^n] of the Gaussian law: (n-1)!! for even n and 0
-  /// for odd n.
+  /// Returns the moment E[((Y - mean) / deviation)^n] of the Gaussian law, which is (n-1)!! for
+  /// even n and 0 for odd n.
   double standardised_amplitude_moment(int n) const;
   double density(double y) const;
   double cumulative_probability(double y) const;
@@ -148,7 +148,6 @@ struct GammaLaw {
   /// skewness.
   double width_parameter() const;
   double standard_deviation() const { return deviation; }
-  /// Returns the shape parameter k of the gamma density.
   double gamma_shape() const { return 4 / (skewness * skewness); }
 
   /// Returns the moment m_n = E[((Y - mean) / deviation)^n] of the gamma law, computed by the

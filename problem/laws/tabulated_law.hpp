@@ -32,7 +32,6 @@ struct TabulatedLaw {
   double cumulative_probability(double y) const;
   std::vector<AmplitudeAtom> amplitude_atoms() const;
   std::vector<double> amplitude_density_breakpoints() const;
-  /// Returns the law of the standardised amplitude Z.
   TabulatedLaw standardised() const { return {0, 1, standard}; }
   TabulatedLaw with_negated_amplitudes() const { return {-mean, -scale, standard}; }
 };
