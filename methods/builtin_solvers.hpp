@@ -11,7 +11,6 @@ Solver epc_solver();
 Solver fd_solver();
 Solver mcs_solver();
 
-/// Returns a registry with all solvers of this project.
 SolverRegistry builtin_registry();
 
 }  // namespace fpkcheck::methods

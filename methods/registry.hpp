@@ -15,11 +15,9 @@ namespace fpkcheck::methods {
 /// further solvers (docs/extending.md).
 class SolverRegistry {
  public:
-  /// Adds a solver.
   /// @throws std::logic_error if the registry already has a solver or a family with the same name
   void add_solver(Solver solver);
 
-  /// Returns all solvers in the order of their addition.
   const std::vector<Solver>& solvers() const { return solvers_; }
   const Solver* find_solver(std::string_view name) const;
   /// Returns the families of methods of all solvers, by increasing trust.

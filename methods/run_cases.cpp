@@ -108,8 +108,8 @@ class SolutionsByProblemAndMethod {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-// L1 distances of a solution from the reference. A distance is empty if the solution or the
-// reference lacks the marginal density.
+// L1 distances of a solution from the reference; empty if the solution or the reference lacks the
+// marginal density.
 struct L1DistancesFromReference {
   std::optional<double> y, ydot;
 

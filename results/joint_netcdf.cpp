@@ -38,7 +38,7 @@ std::vector<std::string> solution_ids(const Run& run) {
   return ids;
 }
 
-/// Values of a netCDF variable of one case, shape (solution, cells); NaN for solutions without
+/// Values of a netCDF variable of one case, shape (solution, cells), with NaN for solutions without
 /// values.
 class NetCdfSolutionVariable {
  public:

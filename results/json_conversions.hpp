@@ -37,8 +37,8 @@ Json number_or_null_json(const std::optional<double>& number);
 /// @throws std::logic_error if a part of a path is already a number or a text, or if two metrics
 ///         have the same path
 void add_metrics(const transform::Metrics& metrics, Json& object);
-/// Reads the metrics that add_metrics() wrote. Each number or text in the JSON object is one
-/// metric, of kind `text` for a string and of kind `result` for other values.
+/// Reads the metrics from a JSON object that add_metrics() wrote. Each number or text in the JSON
+/// object is one metric, of kind `text` for a string and of kind `result` for other values.
 transform::Metrics metrics_from_json(const Json& object);
 
 /// @throws InputError if the JSON value is a list, an object or an integer out of range

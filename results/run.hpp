@@ -95,7 +95,8 @@ struct CaseResult {
                                    transform::StateVariable variable) const;
   /// Returns the residual-based moment error estimate of a solution, or null.
   const MomentErrorEstimate* moment_error_estimate(std::string_view solution) const;
-  /// Returns the error source of one moment (y2 or v2) of a solution, or null.
+  /// Returns the contributions of the cells to the error of one moment (y2 or v2) of a solution, or
+  /// null.
   const MomentErrorSource* moment_error_source(std::string_view solution,
                                                std::string_view moment) const;
   std::optional<double> l1_distance(std::string_view one, std::string_view other,

@@ -30,7 +30,7 @@ ConservativeRemap::InterpolationStencil ConservativeRemap::cumulative_interpolat
   if (*above == x || k == 0) return {static_cast<std::size_t>(k), 0, {}};
 
   // The interpolation stencil is chosen from the bin edges with the indices begin .. end - 1. If
-  // one of these bin edges is at 0, all edges of the stencil have the sign of x or are 0.
+  // one bin edge is at 0, all edges of the stencil have the sign of x or are 0.
   std::ptrdiff_t begin = 0, end = std::ssize(edges);
   if (const auto zero = std::ranges::lower_bound(edges, 0.0); zero != edges.end() && *zero == 0) {
     if (x > 0) begin = zero - edges.begin();

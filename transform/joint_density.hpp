@@ -43,8 +43,8 @@ struct NamedMoment {
   const char* name;
   const char* symbol;
   double Moments::*moment;
-  /// Moment that scales the relative errors of a moment; E[y'^2] scales the errors of E[y'], since
-  /// E[y'] is exactly 0.
+  /// Moment that scales the relative errors of a moment; the errors of E[y'] are scaled by E[y'^2],
+  /// since E[y'] is exactly 0.
   double Moments::*size;
 };
 inline constexpr NamedMoment kMoments[] = {

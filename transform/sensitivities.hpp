@@ -11,8 +11,8 @@
 
 namespace fpkcheck::transform {
 
-/// A moment E[y^p y'^q] whose parameter derivatives are computed. The moment E[y'] = 0 has no
-/// parameter derivatives.
+/// A moment E[y^p y'^q] whose parameter derivatives are computed. The moment E[y'] is not among the
+/// differentiated moments, since E[y'] is exactly 0.
 struct DifferentiatedMoment {
   const char* symbol;
   int p, q;

@@ -88,7 +88,7 @@ std::vector<BinAverageError> compute_bin_average_errors(std::span<const double> 
 
 // The errors of neighbouring bins are correlated, since neighbouring bins share points. The 99 %
 // quantile of the L1 sampling error is computed from random samples of the errors at the points, to
-// include these correlations.
+// include the correlations between bins.
 L1SamplingError l1_sampling_error(std::span<const BinAverageError> bins) {
   constexpr int kReplicates = 1000;
   constexpr std::uint64_t kSeed = 20240501;  // an arbitrary fixed seed for reproducible results

@@ -78,7 +78,8 @@ void add_sampling_error(const ExternalMarginal& marginal, const std::vector<doub
 }
 
 // Returns the residual of the virial balance in wall coordinates, if both marginal densities are
-// known. The momentum balance is omitted, since it requires wall fluxes and joint moments.
+// known. The momentum balance is omitted, since the momentum balance requires wall fluxes and joint
+// moments.
 transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
                                               const std::vector<ExternalMarginal>& marginals) {
   const auto of = [&](StateVariable variable) {

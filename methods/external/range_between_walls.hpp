@@ -8,8 +8,8 @@
 
 #include "problem/walls.hpp"
 
-/// Checks that values of y in external data are between the walls. The tolerance of these
-/// comparisons is 1e-6 of the wall position, since numbers in files are rounded.
+/// Checks that values of y in external data are between the walls. The tolerance for values of y
+/// behind a wall is 1e-6 of the wall position, since numbers in files are rounded.
 namespace fpkcheck::methods {
 
 /// Returns whether y equals the position of a wall within a tolerance; false if the wall is absent.

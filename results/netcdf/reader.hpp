@@ -21,7 +21,6 @@ class NetCdfReader {
   std::vector<std::string> variable_names() const;
   std::vector<std::string> dimension_names(const std::string& variable) const;
   std::vector<std::size_t> dimension_lengths(const std::string& variable) const;
-  /// Returns the values of a numeric variable, row-major.
   std::vector<double> read_values(const std::string& variable);
   /// Reads the texts of a variable that NetCdfWriter::write_labels wrote.
   std::vector<std::string> read_labels(const std::string& variable);

@@ -9,8 +9,8 @@
 namespace fpkcheck::results {
 
 /// Writer of a netCDF-4 file in memory. Every member function throws std::runtime_error with a
-/// message of one line. Writing netCDF directly to disk would be unsafe: HDF5 does not recover from
-/// a full disk, and netCDF interprets some file names as network addresses.
+/// message of one line. Writing netCDF directly to disk would be unsafe, since HDF5 does not
+/// recover from a full disk, and netCDF interprets some file names as network addresses.
 class NetCdfWriter {
  public:
   /// Value that replaces the id of a variable for global attributes of the netCDF file.
