@@ -17,8 +17,7 @@ namespace {
 constexpr int kFewestStreams = 8;
 constexpr int kMostStreams = 4096;
 constexpr int kMostThreads = 1024;
-// Largest time step, in radians, at which the Taylor series of order TaylorFlight::kOrder is
-// accurate
+// Largest time step in radians at which the series of order TaylorFlight::kOrder is accurate
 constexpr double kLongestStep = 1.2;
 constexpr double kLongestWhiteStep = 0.5;
 constexpr double kShortestStep = 1e-4;

@@ -32,8 +32,7 @@ struct SimulationProgress {
 struct SimulationProcessGroup {
   int part = 0, parts = 1;
   /// Function that each process calls to send its trajectory streams to the first process.
-  /// @param serialised_streams trajectory streams of the calling process; ignored in the first
-  /// process
+  /// @param serialised_streams streams of the calling process; ignored in the first process
   /// @return in the first process, the trajectory streams of all other processes, in the order of
   /// the processes; in other processes, an empty vector
   std::function<std::vector<std::string>(const std::string& serialised_streams)> gather = {};
@@ -64,8 +63,7 @@ struct SimulationOptions {
   std::uint64_t seed = 1;  ///< seed of the random numbers, below 2^63
   /// Number of threads, which does not change the results; the default is one thread per processor
   std::optional<int> threads{};
-  /// Number of independent realisations of the simulation, 8 .. 4096, whose differences give the
-  /// confidence intervals
+  /// Number of independent realisations, 8 .. 4096; their differences give confidence intervals
   int streams = 128;
   /// Longest time step of the Taylor series, in radians of the highest frequency that the energy of
   /// the oscillator permits; at most 1.2, default 0.9
@@ -84,8 +82,7 @@ struct SimulationOptions {
   /// mcs::simulate_stationary_density() returns the estimates without control variates.
   bool controlled = false;
 
-  // The following members of SimulationOptions are no command-line options and are not written to
-  // files.
+  // The following members are no command-line options and are not written to files.
 
   /// Increasing bin edges of the histogram; y_edges begin at 0. By default the histogram has 140
   /// bins of y over 0 .. 7 sigma_1 and 140 bins of y' over +-7 sigma_2, with the standard

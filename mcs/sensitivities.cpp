@@ -24,8 +24,7 @@ using transform::Status;
 // flights, for about 10 s of computing
 constexpr double kTimeShare = 1.0 / 16, kMostDuffingChanges = 1e8, kMostOtherChanges = 4e7;
 
-// Simulates a problem and returns the moments in each trajectory stream, in the order of
-// kDifferentiatedMoments.
+// Simulates a problem and returns the moments kDifferentiatedMoments of each trajectory stream.
 std::vector<std::vector<double>> simulate_stream_moments(const problem::Problem& problem,
                                                          const SimulationOptions& options,
                                                          const SimulationPlan& nominal) {

@@ -66,8 +66,7 @@ SamplingErrors current_sampling_errors(const Simulation& simulation) {
 
 struct RunProgress {
   double fraction;  ///< fraction of the required work; may exceed 1
-  /// Current sampling errors of the simulation; empty if neither an option nor the caller needs the
-  /// sampling errors
+  /// Current sampling errors; empty if neither an option nor the caller needs sampling errors
   std::optional<SamplingErrors> errors;
   bool goal_reached;  ///< whether the requested number of samples and error are reached
 };
@@ -82,8 +81,7 @@ RunProgress current_progress(const Simulation& simulation, const SimulationOptio
   // In a simulation by several processes each process has only a part of the trajectory streams,
   // from which the sampling errors of the complete result cannot be computed.
   if (options.process_group.parts > 1) return now;
-  // In a simulation with control variates the sampling errors are known only at the end of the
-  // simulation.
+  // With control variates the sampling errors are known only at the end of a simulation.
   if (options.target_error || (options.progress && !options.controlled)) {
     now.errors = current_sampling_errors(simulation);
   }
@@ -133,8 +131,7 @@ ImportanceSplitting choose_splitting_thresholds(const problem::Problem& problem,
   const double largest = kLargestEnergy * plan.velocity_deviation * plan.velocity_deviation;
   const numerics::Polynomial potential = splitting_potential(problem, plan);
   SimulationPlan pilot = plan;
-  // With the inverted seed, pilot simulations use random numbers that are independent of the main
-  // simulation.
+  // With the inverted seed, the random numbers of pilot and main simulations are independent.
   pilot.seed = ~plan.seed;
   pilot.samples_per_round =
       static_cast<std::uint64_t>(std::max(kPilotTime * plan.burn_in, kPilotImpulses / plan.streams *

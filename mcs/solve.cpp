@@ -322,8 +322,7 @@ std::vector<DepositedSumsOfTrajectory> stream_deposits(const Simulation& simulat
   return all;
 }
 
-/// @param unreached_goal_reason reason why the simulation did not reach the requested accuracy, or
-/// empty
+/// @param unreached_goal_reason reason why the requested accuracy was not reached, or empty
 void set_status(const SimulationPlan& plan, const SimulationOptions& options,
                 const SimulationSummary& summary, transform::Solution& solution,
                 const std::string& unreached_goal_reason) {

@@ -35,8 +35,7 @@ constexpr double kOversampling = 8;
 // kLength decay times lowers the spectral density by 4 pi^2/(3 kLength^2), 0.13 %.
 constexpr double kLength = 100;
 constexpr std::size_t kShortest = 256, kLongest = 1 << 18;  // samples of a segment
-// Simulated time of a simulation of default duration, in segment lengths, for standard errors of
-// about 1.5 %
+// Default simulated time in segment lengths, for standard errors of about 1.5 %
 constexpr double kSegments = 2500;
 // Largest number of impulses, kicks and flights of the default simulation, about 8 s of computing.
 // Recording a sample takes the computing time of kEventsPerSample events of the motion.
@@ -111,8 +110,7 @@ double interpolate_density(const std::vector<double>& density, double step, doub
 }
 
 struct StreamSpectrum {
-  // Sums of periodograms over segments of the whole length, and over segments of half the whole
-  // length
+  // Sums of periodograms over segments of the whole length, and of half the length
   std::vector<double> whole = {}, half = {};
   std::size_t segments = 0;
 };
@@ -303,8 +301,7 @@ transform::SpectralDensity estimate_spectrum(const problem::Problem& problem,
   Periodogram of_whole(length, plan.sampling_interval);
   const Periodogram of_half(length / 2, plan.sampling_interval);
   const auto whole = [&](double w) { return estimate(w, of_whole, &StreamSpectrum::whole, 1); };
-  // Constant C of the decrease C w^-4 of the spectral density, from the spectral density at half
-  // the Nyquist frequency
+  // Constant C of the decrease C w^-4, from the spectral density at half the Nyquist frequency
   const double tail = whole(nyquist / 2).mean * std::pow(nyquist / 2, 4);
   for (const double w : frequencies) {
     const MeanEstimate e = whole(w);

@@ -67,8 +67,7 @@ struct SimulationSummary {
   std::vector<double> thresholds{};
   /// Standard errors of the cell averages of the density in the joint histogram, row-major
   std::vector<double> joint_standard_errors{};
-  /// Sums of each trajectory stream on the spline grid SimulationOptions::deposit; empty without a
-  /// spline grid
+  /// Sums of each trajectory stream on the grid SimulationOptions::deposit; empty without a grid
   std::vector<DepositedSumsOfTrajectory> deposits{};
   /// One-line warnings about difficulties of the simulation that do not affect the result
   /// (SimulationOptions::warn)

@@ -96,9 +96,8 @@ std::vector<Coefficients> span_splines(const std::vector<double>& knots, std::si
   return functions;
 }
 
-/// Appends polynomial coefficients to a table, from the highest power to the constant term. For
-/// each power of t the coefficient table has one row with the coefficients of all polynomials of a
-/// knot span.
+/// Appends polynomial coefficients to a table, from the highest power to the constant term. Each
+/// row of the table has the coefficients of one power of t for all polynomials of a knot span.
 void append_coefficient_rows(std::vector<double>& table, const std::vector<Coefficients>& functions,
                              int highest) {
   for (int n = highest; n >= 0; --n) {
@@ -129,8 +128,7 @@ std::vector<double> lagrange_polynomials() {
 }
 
 std::vector<double> cubic_pieces() {
-  // Polynomial coefficients of the cubic B-splines M(t + 1), M(t), M(t - 1), M(t - 2) on 0 <= t <=
-  // 1.
+  // Coefficients of the cubic B-splines M(t + 1), M(t), M(t - 1), M(t - 2) on 0 <= t <= 1.
   std::vector<double> table;
   append_coefficient_rows(table,
                           {{1. / 6, -1. / 2, 1. / 2, -1. / 6},

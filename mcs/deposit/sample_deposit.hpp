@@ -9,8 +9,7 @@ namespace fpkcheck::mcs {
 
 using transform::SmoothBins;
 
-/// Atom of the amplitude law: an impulse changes the velocity by `velocity_change` with the given
-/// `probability`.
+/// Atom of the amplitude law: a change of velocity by an impulse, and its probability.
 struct VelocityJumpAtom {
   double velocity_change, probability;
 };
@@ -41,8 +40,7 @@ struct SampleDepositionGrid {
   int v_spline_count() const { return static_cast<int>(v_knots.size()) - kDegree - 1; }
 };
 
-/// @throws InputError if the spline grid violates a condition in the comments of
-/// SampleDepositionGrid
+/// @throws InputError if the grid violates a condition in the comments of SampleDepositionGrid
 void require_valid_deposit_grid(const SampleDepositionGrid& grid);
 
 /// B-splines of degree 5 as polynomials on each knot span. Each row of the coefficient table has
@@ -81,15 +79,13 @@ class SplineSpanPolynomials {
   std::vector<double> breaks_, per_length_, coefficients_;
 };
 
-/// Grid, tables and rates for the deposition of samples, i.e. for adding spline values at the
-/// samples to sums.
+/// Grid, tables and rates for the deposition of samples, i.e. for sums of splines at the samples.
 struct SampleDepositionPlan {
   SampleDepositionGrid grid;
   SplineSpanPolynomials y, v;
   double rate;  ///< mean number lambda of impulses per unit time
   double sampling_interval;
-  /// Coefficients of t^7, .., 1 of the eight Lagrange polynomials with the nodes -3 .. 4, shape (8,
-  /// 8)
+  /// Coefficients of t^7, .., 1 of the Lagrange polynomials with nodes -3 .. 4, shape (8, 8)
   std::vector<double> lagrange;
   /// Coefficients of t^3, .., 1 of the four cubic pieces of smooth bins in a cell, shape (4, 8)
   std::vector<double> cubics;
@@ -140,8 +136,7 @@ struct DepositedSampleSums {
   static constexpr int kPadding = SplineSpanPolynomials::kWidth;
 };
 
-/// Calls `visit_deposited_sums` with each array of DepositedSampleSums, in the order of checkpoint
-/// files.
+/// Calls `visit_deposited_sums` with each array of sums, in the order of checkpoint files.
 template <class Sums, class Visit>
 void for_each_deposited_sum(Sums& deposit, Visit visit_deposited_sums) {
   visit_deposited_sums(deposit.flow);

@@ -53,8 +53,7 @@ FPKCHECK_INLINE SplineValuesAndSlopes evaluate_splines(const SplineSpanPolynomia
   return f;
 }
 
-/// Adds a weighted sample x to the sums of the smooth bins, for the four cubic B-splines that are
-/// nonzero at x.
+/// Adds a weighted sample x to the sums of the smooth bins whose B-splines are nonzero at x.
 FPKCHECK_INLINE void add_to_smooth_bins(const SmoothBins& bins, const double* cubics, double* sums,
                                         double x, double weight) {
   const double cells = (x - bins.first) / bins.spacing;

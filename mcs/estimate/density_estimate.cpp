@@ -100,8 +100,7 @@ class DistributionFunction {
   std::vector<double> below_;
 };
 
-/// Transforms quantiles to physical coordinates; a mirrored coordinate exchanges the lower and the
-/// upper tail.
+/// Transforms quantiles to physical coordinates; mirroring exchanges lower and upper tail.
 std::vector<QuantileWithConfidenceInterval> to_physical_coordinates(
     const problem::WallFrame& frame, transform::StateVariable variable,
     std::vector<QuantileWithConfidenceInterval> quantiles) {

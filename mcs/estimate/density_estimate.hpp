@@ -18,8 +18,7 @@ double expected_l1_error(const BinErrors& errors);
 
 struct L1SamplingError {
   double expected = 0;  ///< expected L1 sampling error, from expected_l1_error()
-  /// 99 % quantile of the L1 sampling error of a density, including the correlation of neighbouring
-  /// bins
+  /// 99 % quantile of the L1 sampling error, including the correlation of neighbouring bins
   double quantile_99 = 0;
 };
 

@@ -18,8 +18,7 @@ double sum_of_squares_about(double centre, std::span<const double> values) {
   return sum;
 }
 
-// Returns whether the control variate, the excess power of the impulses, is equal in all trajectory
-// streams up to rounding.
+// Returns whether the control variate, the excess power, is equal in all streams up to rounding.
 bool is_negligible(double square_about_mean, std::span<const double> values) {
   constexpr double kRounding = 1e-12;
   return square_about_mean <= sum_of_squares_about(0, values) * kRounding * kRounding;

@@ -10,8 +10,7 @@ struct MeanEstimate {
   double standard_error = 0;
 };
 
-/// Estimated quantile of a variable, with the `probability` of values of the variable below the
-/// quantile `value`.
+/// Estimated quantile: a variable is below `value` with the given `probability`.
 struct QuantileWithConfidenceInterval {
   double probability;
   double value;

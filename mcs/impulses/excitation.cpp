@@ -18,8 +18,7 @@ static_assert(std::is_same_v<decltype(one_of(AmplitudeLaws())), problem::Impulse
 
 int law_index(const problem::ImpulseLaw::LawVariant& law) { return static_cast<int>(law.index()); }
 
-// Returns the atoms of an amplitude law, and the intervals on which the density of the amplitude
-// law is linear.
+// Returns the atoms of an amplitude law, and the intervals on which its density is linear.
 template <class Law>
 std::vector<AmplitudeHistogramInterval> amplitude_intervals(const Law& law) {
   std::vector<AmplitudeHistogramInterval> ranges;

@@ -89,8 +89,7 @@ PiecewiseQuantileFunction interpolate_quantile_function(
     }
   }
   ends.push_back(0.5);
-  // The first piece of the quantile function is constant, since no random number u is below the end
-  // of the first piece.
+  // The first piece is constant, since no random number u lies in the first piece.
   std::vector<Piece> pieces{{ends.front(), {quantile(ends.front(), 1 - ends.front())}}};
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
     const double from = ends[k], length = ends[k + 1] - from;

@@ -25,8 +25,7 @@ class PiecewiseQuantileFunction {
   explicit PiecewiseQuantileFunction(std::vector<Piece> pieces) : pieces_(std::move(pieces)) {}
 
   double operator()(double u) const;
-  /// Returns a hash of all bits of the quantile function, which identifies the amplitude law in
-  /// checkpoints.
+  /// Returns a hash of the quantile function, which identifies the law in checkpoint files.
   std::uint64_t checksum() const;
 
  private:
@@ -49,8 +48,7 @@ PiecewiseQuantileFunction quantile_function_of_intervals(
 /// function extends over a quarter of an octave of u or 1 - u. The polynomial of each piece
 /// interpolates the quantile function at the Chebyshev points. The pieces of the quantile function
 /// extend from 2^-44, the smallest value of UniformRandomNumbers::second, to 1 - 2^-44.
-/// @param quantile quantile as a function of p and q = 1 - p; the smaller of p and q has full
-/// precision
+/// @param quantile quantile for p and q = 1 - p; the smaller of p and q has full precision
 PiecewiseQuantileFunction interpolate_quantile_function(
     const std::function<double(double p, double q)>& quantile);
 

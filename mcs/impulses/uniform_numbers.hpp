@@ -5,8 +5,7 @@
 
 namespace fpkcheck::mcs {
 
-/// Purpose of random numbers; different purposes use different counters of the random number
-/// generator.
+/// Purpose of random numbers; different purposes use different counters of the generator.
 enum class RandomNumberPurpose : std::uint32_t { impulses, start, noise };
 
 /// Returns 128 random bits as a function of (seed, stream, purpose, number), by the counter-based

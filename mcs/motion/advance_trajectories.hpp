@@ -34,8 +34,7 @@ struct StreamMotionParameters {
   double end_time = 0;  ///< time at the end of advance_all_streams(), used with `time_dependence`
 };
 
-/// Returns the time-dependent factor of the noise intensity, at the present time of a trajectory
-/// branch.
+/// Returns the factor b(t) of the noise intensity at the present time t of a trajectory branch.
 double noise_intensity_factor(const StreamMotionParameters& motion, const TrajectoryBranch& branch);
 /// Returns true with the probability a(t), the ratio of the impulse rate at the time t to the
 /// largest impulse rate. If accept_impulse_by_thinning() returns true, the stream receives an
@@ -61,8 +60,7 @@ void advance_all_streams(const StreamMotionParameters& motion,
 /// with impact losses the kick interval is a fraction of v^2/D or (distance^2/D)^(1/3), the times
 /// in which noise alone changes speed v and distance from the wall. With a constant kick interval
 /// the strength of the kicks would prevent the oscillator from coming close to rest.
-/// @param diffusion diffusion coefficient D at the present time, without the factor of
-/// multiplicative noise
+/// @param diffusion present diffusion coefficient D, without the factor of multiplicative noise
 double time_to_next_kick(const StreamMotionParameters& motion, double diffusion, double y,
                          double v);
 

@@ -160,8 +160,7 @@ struct SimdLaneStates {
     }
   }
 
-  /// Returns the values of a function of the SIMD lane number in the lanes of the mask `wanted`,
-  /// and 0 in other lanes.
+  /// Returns function(SIMD lane number) in the lanes of the mask `wanted`, and 0 in other lanes.
   template <class Function>
   FPKCHECK_INLINE static Real evaluate_in_lanes(const Mask& wanted, const Function& function) {
     Array<double> values{};
@@ -254,8 +253,7 @@ struct SimdLaneStates {
     const Mask stays = impact & (speed < wall.rest_speed);
     if (!simd::any_mask_lane_set(stays)) return;
     // Bounce n = 1, 2, .. starts at the speed u_n = r^n speed, with the restitution coefficient r,
-    // and takes the time 2 u_n / contact_force. For the restitution coefficient r = 1 the bounces
-    // never end.
+    // and takes the time 2 u_n / contact_force. For r = 1 the bounces never end.
     constexpr double kNoEnd = 1e300;
     const double times = r < 1 ? 2 * r / ((1 - r) * wall.contact_force) : 0;
     const Real time = r < 1 ? speed * times : simd::all_lanes_equal_to<Real>(kNoEnd);
@@ -405,8 +403,7 @@ struct SimdLaneStates {
     return between;
   }
 
-  /// Adds the statistical weight of each SIMD lane in the mask `lanes` to the bin that contains the
-  /// displacement y_value.
+  /// Adds the weight of each SIMD lane in the mask `lanes` to the bin that contains y_value.
   FPKCHECK_INLINE void add_weights_to_y_bins(
       std::vector<double> TrajectoryStreamStatistics::*bin_weights, const Real& y_value,
       const Mask& lanes) {
@@ -418,8 +415,7 @@ struct SimdLaneStates {
     }
   }
 
-  /// Ends a DuffingFlight at an impact within the time interval [0, span], if an impact occurs, and
-  /// counts a maximum of y.
+  /// Ends a DuffingFlight at an impact in the time [0, span], if any, and counts a maximum of y.
   FPKCHECK_INLINE void end_flight_at_single_wall(const Flight& flight, Real& span,
                                                  PhaseState<Real>& end) {
     const Mask impact = (end.y < 0.0) & (y > 0.0);

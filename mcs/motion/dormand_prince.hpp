@@ -5,8 +5,7 @@ namespace fpkcheck::mcs::dormand_prince {
 // Coefficients of the method of Dormand and Prince of order 5(4) (Journal of Computational and
 // Applied Mathematics 6, 1980).
 inline constexpr int kStages = 7;
-/// Coefficients of the Runge-Kutta stages; the last row contains the weights of the solution of
-/// order 5.
+/// Coefficients of the Runge-Kutta stages; the last row has the weights of order 5.
 inline constexpr double kStage[kStages][kStages - 1] = {
     {},
     {1.0 / 5},

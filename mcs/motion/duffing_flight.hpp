@@ -26,8 +26,7 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
   }
   DuffingFlight(SimulatedOscillator&&, const PhaseState<Real>&) = delete;
 
-  /// Returns the longest duration of a DuffingFlight, which is `phase` radians at the upper bound
-  /// of the frequency.
+  /// Returns the longest duration of a DuffingFlight, `phase` radians at the frequency bound.
   ///
   /// By Sturm's comparison theorem, the zeros of a solution y(t) of y'' + c y' + (g(y)/y) y = 0
   /// have distances of at least pi / sqrt(max g(y)/y). If `phase` is below pi, a flight therefore
@@ -55,8 +54,8 @@ class DuffingFlight : public TaylorFlight<Real, 12> {
       is_before = state.y >= 0.0;
       return s - state.y * state.v / (state.v * state.v - 0.5 * (state.y * acceleration(state)));
     };
-    // After a correction of relative size 1e-6 by Halley's third-order method, the impact time is
-    // exact up to rounding.
+    // After a correction of relative size 1e-6, Halley's third-order method is exact up to
+    // rounding.
     return find_bracketed_zero(
         Real{}, end, impact_time_guess(end, at_end), wanted,
         halley, [&](const Real&) __attribute__((always_inline)) { return 1e-6 * end; });

@@ -8,8 +8,7 @@
 namespace fpkcheck::mcs {
 namespace {
 
-/// Oscillator states of the SIMD lanes of a mask, packed into arrays for the evaluation of
-/// formulas.
+/// Oscillator states of the SIMD lanes of a mask, packed for the evaluation of formulas.
 template <class Real>
 struct PackedOscillatorStates {
   static constexpr int W = simd::kWidth<Real>;
@@ -112,8 +111,7 @@ class FormulaFlight : public FreeFlight<Real, 6> {
     const Real known_error =
         simd::select(error == error, error, simd::all_lanes_equal_to<Real>(1e100));
     const Real next = step_ * error_controlled_step_factor(known_error);
-    // If the force at the start of an integration step is not finite, a shorter integration step
-    // does not help.
+    // If the force at the start of an integration step is not finite, shorter steps do not help.
     const Mask rejected = moving & (known_error > 1.0) & (step_ > shortest) & (first == first);
     const Mask accepted = moving & (rejected == none);
     // The next trial step does not decrease after an integration step that an event has shortened,
@@ -142,8 +140,7 @@ class FormulaFlight : public FreeFlight<Real, 6> {
   }
 
  private:
-  // Default of SimulationOptions::step in radians, for which the constants of the step-size control
-  // are chosen
+  // Default of SimulationOptions::step in radians, for which the step-size control is tuned
   static constexpr double kReferencePhase = 0.9;
   // Tolerances of the relative error of an integration step. A kink of the force lowers the order
   // of the Runge-Kutta method. If SimulationOptions::step is halved, E[y^2] changes by less than

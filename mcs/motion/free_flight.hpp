@@ -52,8 +52,8 @@ class FreeFlight : public TaylorFlight<Real, kOrder> {
       return s - distance * speed /
                      (speed * speed - 0.5 * (distance * (inside * polynomial_acceleration(s))));
     };
-    // After a correction of relative size 1e-6 by Halley's third-order method, the impact time is
-    // exact up to rounding.
+    // After a correction of relative size 1e-6, Halley's third-order method is exact up to
+    // rounding.
     return find_bracketed_zero(
         low, high, guess, wanted, halley,
         [](const Real& s) __attribute__((always_inline)) { return 1e-6 * s; });

@@ -86,8 +86,7 @@ void set_polynomial_coefficients(const problem::System& system, bool damping_in_
   o.rayleigh = system.rayleigh_coefficient();
 }
 
-// Returns whether the free flights of a problem are FormulaFlights, in which all of the damping
-// acts.
+// Returns whether the free flights are FormulaFlights, in which all of the damping acts.
 bool has_formula_flights(const problem::Problem& problem) {
   return !problem.system.has_polynomial_force() || problem.noise_factor ||
          problem.time.has_external_force();

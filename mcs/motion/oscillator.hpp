@@ -41,8 +41,8 @@ double total_bounce_time(const SimulatedWall& wall, double speed);
 ///
 ///     y'' = -(g(y) + y' (c(y) + c_vv y'^2)),    y >= 0 with a left wall, y <= b with a right wall.
 ///
-/// Under Gaussian noise the damping force c y' is part of the noise kicks (NoiseKicks), not of the
-/// free flights.
+/// Under Gaussian noise the damping force c y' is part of the kicks (NoiseKicks), not of the
+/// flights.
 struct SimulatedOscillator {
   static constexpr int kHighestDegree = 5;
   /// Form of the equation of motion, which selects the class of the free flights.
@@ -63,8 +63,7 @@ struct SimulatedOscillator {
   /// Coefficients of the restoring force g(y); for the kind `formula`, a constant force that is
   /// added to the formula
   std::array<double, kHighestDegree + 1> force{};
-  /// Coefficients of the polynomial c(y) in the damping force c(y) y'; 0 if the noise kicks contain
-  /// the damping
+  /// Coefficients of c(y) in the damping force c(y) y'; 0 if the noise kicks contain the damping
   std::array<double, 3> damping{};
   double rayleigh = 0;  ///< coefficient c_vv of the damping c_vv y'^3
   Kind kind = Kind::linear;
@@ -93,8 +92,7 @@ struct SimulatedOscillator {
   /// External force F(t), which must outlive the oscillator; null without an external force. An
   /// oscillator with an external force has the kind `formula`.
   const problem::ExcitationTimeDependence* external_force = nullptr;
-  /// Factor b(y) of parametric impulses, which must outlive the oscillator; null for the factor b =
-  /// 1
+  /// Factor b(y) of parametric impulses, which must outlive the oscillator; null for b = 1
   const problem::StateFunction* impulse_factor = nullptr;
 };
 
@@ -123,15 +121,13 @@ struct NoiseKicks {
   double diffusion = 0;         ///< diffusion coefficient D of the noise; 0 without kicks
   double damping = 0;           ///< coefficient c of the damping force c y'
   double longest_interval = 0;  ///< largest interval h between kicks
-  /// Lower limit of the interval between noise kicks next to a wall with impact losses
-  /// (time_to_next_kick())
+  /// Lower limit of the kick interval next to a wall with impact losses (time_to_next_kick())
   double shortest_interval = 0;
   /// Interval between noise kicks next to a wall with impact losses, as a fraction of the time in
   /// which noise changes the motion
   double fraction_near_wall = 0.1;
   bool has_lossy_wall = false;
-  /// Factor g of multiplicative noise, which must outlive the noise kicks; null for additive noise,
-  /// g = 1
+  /// Factor g of multiplicative noise, which must outlive the noise kicks; null for g = 1
   const problem::NoiseFactor* factor = nullptr;
   double velocity_scale = 1;  ///< scale of the velocities, used with `factor`
 

@@ -89,8 +89,7 @@ FPKCHECK_INLINE void compute_taylor_coefficients(const SimulatedOscillator& o,
   }
 }
 
-/// Free flight of an oscillator of any SimulatedOscillator::Kind except `formula`, as a Taylor
-/// polynomial.
+/// Free flight of an oscillator of any kind except `formula`, as a Taylor polynomial.
 template <class Real, int kOrder>
 class PolynomialFlight : public FreeFlight<Real, kOrder> {
   using Base = FreeFlight<Real, kOrder>;

@@ -14,8 +14,7 @@ inline double branch_statistical_weight(const StreamMotionParameters& motion,
   return motion.splitting ? motion.splitting->branch_statistical_weight(stream.branch) : 1.0;
 }
 
-/// Counts a maximum or minimum of y if the velocity changes its sign in a jump from `v_before` to
-/// `v_after`.
+/// Counts an extreme of y if the velocity changes sign in a jump from `v_before` to `v_after`.
 inline void count_turning_point(const StreamMotionParameters& motion, TrajectoryStream& stream,
                                 double v_before, double v_after) {
   if (!motion.records) return;

@@ -68,8 +68,7 @@ class TaylorFlight {
 /// An iteration of higher order is replaced by bisection if the iteration leaves the bracket. SIMD
 /// lanes outside the mask `open` return a finite number.
 /// @param s first approximation of the zero, within the bracket
-/// @param iterate maps s to the mask of the SIMD lanes whose zero is after s, and to the next
-/// approximation
+/// @param iterate maps s to the mask of the lanes whose zero is after s, and to the next iterate
 /// @param tolerance maps s to the correction below which a SIMD lane has converged
 template <class Real, class Mask, class Iterate, class Tolerance>
 FPKCHECK_INLINE Real find_bracketed_zero(Real low, Real high, Real s, Mask open,

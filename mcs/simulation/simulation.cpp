@@ -118,8 +118,7 @@ void Simulation::restart_trajectory_stream(std::size_t stream, double y, double 
   }
 }
 
-// Returns the contact forces that press the mass on the left wall and on the right wall at the time
-// t.
+// Returns the contact forces on the left wall and on the right wall at the time t.
 std::array<double, 2> Simulation::contact_forces_at_time(double t) const {
   const double force = plan_->time.external_force(t);
   return {plan_->oscillator.left.contact_force - force,

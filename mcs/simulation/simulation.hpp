@@ -42,8 +42,7 @@ class Simulation {
 
   /// Advances all trajectory streams by the burn-in time, without recording statistics.
   void run_burn_in();
-  /// Advances all trajectory streams by one round of simulated time, and adds samples and events to
-  /// their statistics.
+  /// Advances all trajectory streams by one round of simulated time, and records statistics.
   void simulate_and_sample_one_round();
   /// Advances all trajectory streams from the time `from` to the time `to` under a time-dependent
   /// excitation, without recording statistics and time series.
@@ -74,8 +73,7 @@ class Simulation {
   /// Writes the complete state of the simulation between two rounds.
   void save_state(std::ostream& out) const;
   /// Reads a simulation state that save_state() wrote.
-  /// @throws InputError if the input is not the state of a simulation with equal numbers of streams
-  /// and bins
+  /// @throws InputError if the input is no state with the same numbers of streams and bins
   void load_state(std::istream& in);
 
   /// Writes the states of the trajectory streams that the present process simulates.

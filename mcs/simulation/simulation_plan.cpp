@@ -27,8 +27,7 @@ constexpr double kLeastBurnIn = 5;  // shortest burn-in of a converged solution
 // shipped cases (`fpkcheck mcs CASE --json`, keys sampling_l1 and time).
 constexpr double kErrorOfOneDecayTime = 2.5;
 
-// Factor of the default simulated time for importance splitting, since splitting multiplies the
-// computing work
+// Factor of the default simulated time for importance splitting, which multiplies the work
 constexpr double kTailsShare = 1.0 / 32;
 // Factor of the default simulated time for control variates, which gives L1 errors over smooth bins
 // of 3e-6 to 1e-5 in the cases of the paper, at most a third of the errors of finite volumes.
@@ -55,8 +54,7 @@ struct TrajectoryEventRates {
   double decay;  ///< decay rate of the slowest mode
   double impulses;
   double flights;  ///< rate of flights, plus the rate of noise kicks that act besides impulses
-  /// Whether the free flights are DuffingFlights, which are simulated about twice as fast as other
-  /// free flights
+  /// Whether the flights are DuffingFlights, which need about half of the time of other flights
   bool duffing_flights = true;
   int wells = 1;
 

@@ -40,8 +40,7 @@ struct SimulationPlan {
   std::uint64_t samples_per_round;
   std::uint64_t rounds;
   double centre;  ///< centre of the motion, problem::MotionScales::centre
-  /// Standard deviation sigma_1 of the displacement y, from equivalent linearisation or energy
-  /// averaging
+  /// Standard deviation sigma_1 of y, from equivalent linearisation or energy averaging
   double displacement_deviation;
   double velocity_deviation;  ///< standard deviation sigma_2 of y'
   bool has_contact_atoms;     ///< whether the stationary law has atoms at rest in contact

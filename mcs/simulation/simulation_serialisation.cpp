@@ -101,8 +101,7 @@ bool has_valid_times(const TrajectoryBranch& branch, const NoiseKicks& kicks) {
 /// Returns whether the state of a branch is within the range of the motion and of the random
 /// numbers.
 bool is_valid_state(const TrajectoryBranch& branch, const SimulationPlan& plan) {
-  // Largest valid speed of a saved state, in units of the velocity deviation plus the largest
-  // impulse
+  // Largest valid saved speed, in units of the velocity deviation plus the largest impulse
   constexpr double kFarthest = 1e4;
   // Largest valid waiting time in a saved state, in mean waiting times, and largest valid
   // amplitude, in widths of the amplitude law. Random waiting times and amplitudes above

@@ -72,8 +72,7 @@ class JointHistogram {
   std::size_t rows() const { return weights_.size() / columns_; }
   std::size_t columns() const { return columns_; }
 
-  /// Row sums of the histogram are sums over y', shape (ny + 2); column sums are sums over y, shape
-  /// (nv + 2).
+  /// Row sums are sums over y', shape (ny + 2); column sums are sums over y, shape (nv + 2).
   std::vector<double> row_sums() const;
   std::vector<double> column_sums() const;
 

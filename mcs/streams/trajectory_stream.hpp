@@ -35,8 +35,7 @@ inline constexpr std::array<std::pair<int, int>, 14> kRecordedMomentPowers{{{1, 
 struct TrajectoryStreamStatistics {
   JointHistogram histogram;
   std::vector<double> peaks;  ///< weights of the maxima of y in each bin of y, outer bins included
-  /// Sums of the weights of the minima of y without wall contact, for each bin of y including the
-  /// outer bins
+  /// Weights of the minima of y without wall contact, for each bin of y with the outer bins
   std::vector<double> troughs;
   std::array<double, kRecordedMomentPowers.size()> powers{};
   /// Sums of y^5 and y^6 over samples; 0 with DuffingFlights, for which no balance equation
@@ -99,8 +98,7 @@ void for_each_statistic(Record& record, Visit visit_statistic) {
   if (!record.deposit.flow.empty()) for_each_deposited_sum(record.deposit, visit_statistic);
 }
 
-/// State of a branch of the trajectory, and the times until the next events of the trajectory
-/// branch.
+/// State of a trajectory branch, and the times until the next events of the branch.
 struct TrajectoryBranch {
   double y;
   double v;
@@ -124,8 +122,7 @@ struct TrajectoryBranch {
 /// state.
 struct PendingTrajectoryBranch {
   TrajectoryBranch branch;
-  /// Number of pending branches that each draw a new impulse; 0 for a single branch with a stored
-  /// impulse
+  /// Number of pending branches that draw a new impulse; 0 for one branch with a stored impulse
   int copies = 0;
   bool at_impulse = false;  ///< whether each copy also draws the time of its next impulse
 };
