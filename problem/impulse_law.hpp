@@ -50,8 +50,7 @@ class ImpulseLaw {
   /// Returns whether Y - E[Y] and E[Y] - Y have the same law.
   bool is_symmetric() const;
 
-  /// Returns the probability density of the impulse amplitude Y; 0 for a law that consists of
-  /// atoms.
+  /// Returns the probability density of the amplitude Y; 0 for a law that consists of atoms.
   double density(double amplitude) const;
   double cumulative_probability(double amplitude) const;
   /// Returns the amplitudes with positive probability, in increasing order; empty for an amplitude

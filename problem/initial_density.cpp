@@ -45,8 +45,7 @@ InitialGaussian initial_density(const Problem& problem, const MotionScales& scal
       .velocity_deviation =
           options.velocity_deviation.value_or(kDefault * scales.velocity_deviation),
       .mean_displacement = has_equivalent_linearisation(problem) ? 0 : scales.centre};
-  // The mean displacement in a symmetric potential well is 0 up to rounding errors, which are
-  // removed.
+  // Rounding errors of the mean displacement 0 in a symmetric potential well are removed.
   constexpr double kRounding = 1e-12;
   if (std::abs(start.mean_displacement) < kRounding * start.displacement_deviation) {
     start.mean_displacement = 0;

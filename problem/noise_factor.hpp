@@ -18,8 +18,7 @@ inline constexpr base::EnumEntry<NoiseInterpretation> kInterpretationNames[] = {
     {NoiseInterpretation::ito, "ito"}, {NoiseInterpretation::stratonovich, "stratonovich"}};
 constexpr const auto& enumerator_names(NoiseInterpretation) { return kInterpretationNames; }
 
-/// The factor g(y, v) of multiplicative noise sqrt(2D) g W, whose diffusion coefficient is D G with
-/// G = g^2.
+/// The factor g(y, v) of multiplicative noise sqrt(2D) g W with diffusion coefficient D g^2.
 class NoiseFactor {
  public:
   /// @throws InputError for an invalid formula of the noise factor
@@ -37,8 +36,7 @@ class NoiseFactor {
     const numerics::DualNumber g = g_.with_slope_in_v(y, v);
     return 2 * g.value * g.derivative;
   }
-  /// Computes the noise factor g at `count` <= Expression::kBatchPoints points, faster than by
-  /// single evaluations.
+  /// Computes g at `count` <= Expression::kBatchPoints points, faster than by single evaluations.
   void evaluate_batch(std::size_t count, const double* y, const double* v, double* g) const {
     g_.evaluate_batch(count, y, v, g);
   }
@@ -56,11 +54,11 @@ class NoiseFactor {
   bool depends_on_v() const { return g_.formula().depends_on_v(); }
   bool has_jumps() const { return g_.formula().has_jumps(); }
   bool has_kinks() const { return g_.formula().has_kinks(); }
-  /// Returns the values of y in (low, high) at which the noise factor g or its slope jumps, in
-  /// increasing order.
+  /// Returns the increasing values of y in (low, high) at which the noise factor or its slope
+  /// jumps.
   std::vector<double> kinks_in_y(double low, double high) const { return g_.kinks_in_x(low, high); }
-  /// Returns the values of v in (low, high) at which the noise factor g or its slope jumps, in
-  /// increasing order.
+  /// Returns the increasing values of v in (low, high) at which the noise factor or its slope
+  /// jumps.
   std::vector<double> kinks_in_v(double low, double high) const { return g_.kinks_in_v(low, high); }
   /// Returns the parity of the noise factor g under (y, v) -> (-y, -v) in physical coordinates.
   FunctionParity parity() const { return g_.formula().parity(); }

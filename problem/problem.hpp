@@ -34,8 +34,7 @@ struct Problem {
 Problem without_impulses(Problem problem);
 Problem without_noise(Problem problem);
 
-/// Returns the diffusion coefficient D G(y, v) of multiplicative noise with the factor g, where G =
-/// g^2.
+/// Returns the diffusion coefficient D g(y, v)^2 of multiplicative noise with the factor g.
 double noise_diffusion_coefficient(const Problem& problem, double y, double v);
 
 /// Returns the square b(y)^2 of the factor of parametric impulses; 1 for impulses without a factor.

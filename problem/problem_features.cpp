@@ -24,8 +24,7 @@ ProblemFeatures problem_features(const Problem& problem) {
   result.negative_damping = c.damping < 0 || c.van_der_pol < 0 || c.rayleigh < 0;
   const auto inspect_wall = [&](const std::optional<Wall>& wall, double towards) {
     if (!wall) return;
-    // The restoring force on the mass is -g(y), which presses the mass against a left wall if g(y)
-    // > 0 at the wall.
+    // The restoring force -g(y) presses the mass against a left wall if g(y) > 0 at the wall.
     const double pressing = -towards * system.force(wall->position, 0);
     const bool is_elastic = wall->has_constant_restitution() && wall->restitution == 1;
     if (pressing > 0 && !is_elastic && !result.noise) result.rests_in_contact = true;

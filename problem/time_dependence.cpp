@@ -89,8 +89,7 @@ double largest_value(const char* key, const Function& function, double until) {
 }
 
 // Returns the largest value of a factor between 0 and `until`.
-// @throws InputError if the time-dependent factor is negative at a sampled time, or 0 at all
-// sampled times
+// @throws InputError if the factor is negative at a sampled time, or 0 at all sampled times
 template <class Function>
 double largest_factor(const char* key, const Function& factor, double until) {
   const auto not_negative = [&](double t) {
@@ -111,8 +110,7 @@ double largest_factor(const char* key, const Function& factor, double until) {
   return largest;
 }
 
-// Requires that rate, noise intensity and force of a time-dependent excitation have the period
-// `period`.
+// Requires that rate, noise intensity and force of the excitation have the period `period`.
 void require_excitation_period(const ExcitationTimeDependence& time, double period) {
   if (!time.is_acting()) {
     throw InputError(

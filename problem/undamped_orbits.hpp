@@ -13,8 +13,7 @@ struct HalfCycle {
   bool left_is_wall, right_is_wall;  ///< whether the left end and the right end are walls
 };
 
-/// Integrals over one period of an undamped orbit with energy h = v^2/2 + V(y) and effective
-/// potential V.
+/// Integrals over one period of an undamped orbit of the energy h = v^2/2 + V(y).
 struct OrbitIntegrals {
   HalfCycle half_cycle;
   double period = 0;  ///< period T = closed integral of dy / v
@@ -55,8 +54,7 @@ class UndampedOrbits {
   /// Returns all half-cycles of the undamped motion with the given energy, from left to right.
   /// @pre is_confining()
   std::vector<HalfCycle> half_cycles(double energy) const;
-  /// Returns the integrals over the undamped orbit that has the given energy and contains the given
-  /// half-cycle.
+  /// Returns the integrals over the undamped orbit of the given energy and half-cycle.
   OrbitIntegrals orbit_integrals(const HalfCycle& half_cycle, double energy) const;
 
  private:

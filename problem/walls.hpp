@@ -70,8 +70,7 @@ double speed_before_impact(const Wall& wall, double speed_after);
 
 /// Requires 0 < r(u) <= 1 and an increasing speed u r(u) after the impact, for impact speeds
 /// u <= `largest_speed`.
-/// @throws InputError that states the key and an impact speed at which a formula r(u) violates a
-/// condition
+/// @throws InputError that states the key and a speed at which a formula r(u) is invalid
 void require_valid_restitution(const Walls& walls, double largest_speed);
 
 class System;

@@ -144,14 +144,12 @@ struct GammaLaw {
   /// @throws InputError if the absolute value of the skewness is outside 0.01 .. 2 (above 2 the
   /// gamma density is unbounded)
   static GammaLaw from_moments(double mean, double deviation, const LawShapeParameters& shape);
-  /// Returns the signed width of the gamma law, the standard deviation times the sign of the
-  /// skewness.
+  /// Returns the signed width, the standard deviation times the sign of the skewness.
   double width_parameter() const;
   double standard_deviation() const { return deviation; }
   double gamma_shape() const { return 4 / (skewness * skewness); }
 
-  /// Returns the moment m_n = E[((Y - mean) / deviation)^n] of the gamma law, computed by the
-  /// recursion
+  /// Returns the moment m_n = E[((Y - mean) / deviation)^n] of the gamma law, by the recursion
   ///
   ///     m_{n+1} = n (skewness/2 m_n + m_{n-1}).
   double standardised_amplitude_moment(int n) const;

@@ -20,8 +20,7 @@ struct TabulatedLaw {
 
   static constexpr std::string_view kName = "tabulated";
   static constexpr std::string_view kWidthName = "scale";
-  /// Returns the amplitude law of the table `shape.table`, shifted and scaled to the given mean and
-  /// standard deviation.
+  /// Returns the law of the table `shape.table`, scaled to the given mean and standard deviation.
   /// @throws InputError if the amplitude table is missing or invalid
   static TabulatedLaw from_moments(double mean, double deviation, const LawShapeParameters& shape);
   double width_parameter() const { return scale; }
