@@ -21,8 +21,7 @@ struct ZhuravlevDensity {
 ///
 ///     p(y, v) = p(z = y, z' = v) + p(z = -y, z' = -v),   y > 0.
 ///
-/// The marginal densities of p(y, v) are paper (30) and (34). The density of (z, z') need not be
-/// symmetric.
+/// The marginals of p(y, v) are paper (30), (34). The density of (z, z') need not be symmetric.
 SmoothDensity zhuravlev_transform(ZhuravlevDensity density);
 
 /// The function y_edges_from_wall_coordinates() transforms increasing cell edges from wall

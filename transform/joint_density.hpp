@@ -23,8 +23,7 @@ struct GridDensity {
   }
 };
 
-/// A joint density given by a function of (y, v), which is zero outside [y_min, y_max] x [-v_max,
-/// v_max].
+/// A joint density as a function of (y, v), zero outside [y_min, y_max] x [-v_max, v_max].
 struct SmoothDensity {
   std::function<double(double y, double v)> value;
   double y_max;

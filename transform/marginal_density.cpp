@@ -79,8 +79,7 @@ namespace {
 constexpr int kPanelsBetweenOpenEnds = 20;
 
 std::vector<numerics::QuadraturePoint> half_line_points(double end, QuadraturePanelSpacing panels) {
-  // For a Gaussian density on the whole domain, each quadrature panel is about one standard
-  // deviation wide.
+  // For a Gaussian density each quadrature panel is about one standard deviation wide.
   constexpr int kUniformPanels = 8;
   if (panels == QuadraturePanelSpacing::uniform)
     return numerics::composite_gauss_points(0.0, end, kUniformPanels);

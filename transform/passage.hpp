@@ -46,8 +46,7 @@ std::optional<PassageStartState> passage_start_state(const problem::Problem& tra
 /// @param energy level of the energy barrier in physical coordinates
 double energy_level_in_wall_coordinates(const problem::Problem& transformed, double energy);
 
-/// Returns ten times for survival probabilities, up to three mean passage times, rounded to two
-/// digits.
+/// Returns ten times up to three mean passage times, for survival probabilities.
 std::vector<double> automatic_survival_times(double mean_passage_time);
 
 /// Mean first-passage times T(y, y') for initial states below a barrier, as averages over cells.
@@ -65,8 +64,7 @@ struct FirstPassageResult {
   Status status = Status::failed;
   std::string reason = {};  ///< reason of the status, one sentence; empty only for status ok
   double seconds = 0;
-  /// Hazard: rate g of first passages in the limit of long times, P(tau > t) ~ C exp(-g t) with a
-  /// constant C.
+  /// Hazard: rate g of first passages at long times, P(tau > t) ~ C exp(-g t) with a constant C.
   std::optional<ValueWithError> hazard = {};
   std::optional<ValueWithError> mean_from_point = {}, mean_from_stationary = {};
   /// Rate of upward crossings of a displacement barrier in the stationary process (Rice).
@@ -80,8 +78,7 @@ struct FirstPassageResult {
   std::optional<MeanPassageTimeMap> mean_passage_times_by_start =
       {};                            ///< mean times from all starts below the barrier
   bool has_standard_errors = false;  ///< whether the errors are standard errors of a simulation
-  /// Whether every stored value is guaranteed to differ from the exact value by at most the stored
-  /// error
+  /// Whether every value is guaranteed to differ from the exact value by at most its error
   bool has_guaranteed_errors = false;
   std::string details = {};  ///< grid or simulated time, for tables
 };

@@ -72,8 +72,7 @@ struct GridLevelSolution {
   std::vector<double> rest_probabilities = {};
   double impact_rate = 0;  ///< impact rate; 0 if the solver returns none
 };
-/// Returns the converging quantities of a solution, with marginal densities over the bins between
-/// the given edges.
+/// Returns the converging quantities of a solution, with marginals over the bins between the edges.
 /// @throws std::logic_error if the solution has no density
 GridLevelSolution make_grid_level(const Solution& solution, std::span<const double> y_edges,
                                   std::span<const double> ydot_edges);

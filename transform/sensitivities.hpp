@@ -36,8 +36,7 @@ struct ExpectationDerivatives {
 struct MarginalDerivatives {
   StateVariable variable;
   std::vector<double> edges;  ///< n + 1 increasing bin edges
-  /// Bin averages of the derivative of the density with respect to each parameter, shape
-  /// (parameters, n)
+  /// Bin averages of the derivative with respect to each parameter, shape (parameters, n)
   std::vector<std::vector<double>> derivatives = {};
   std::vector<std::vector<double>> errors = {};  ///< estimated errors, shape (parameters, n)
 
@@ -63,8 +62,7 @@ struct MomentSensitivities {
   std::vector<double> parameter_values = {};
   std::vector<ExpectationDerivatives> expectations =
       {};  ///< in the order of kDifferentiatedMoments
-  /// Parameter derivatives of the densities p(y) and p(y'); empty if the method computes only
-  /// derivatives of moments
+  /// Derivatives of p(y) and p(y'); empty if the method computes only derivatives of moments
   std::vector<MarginalDerivatives> marginals = {};
   bool has_standard_errors = false;  ///< whether the errors are standard errors of a simulation
   std::string details = {};          ///< grid or simulated time, for tables

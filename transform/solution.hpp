@@ -86,19 +86,16 @@ struct Solution {
   std::string reason = {};  ///< reason of the status, one sentence; empty only for status ok
   double seconds = 0;       ///< wall-clock time of the solver in seconds
 
-  /// Joint density of the solution; empty if the solver found no density, and for a solution from a
-  /// saved run.
+  /// Joint density; empty if the solver found no density, and for a solution from a saved run.
   std::optional<Density> density = {};
-  /// Marginal densities with confidence intervals, estimated by a simulation; empty for other
-  /// solvers.
+  /// Marginals with confidence intervals, estimated by a simulation; empty for other solvers.
   std::vector<std::pair<StateVariable, Marginal>> estimated_marginals = {};
   /// Marginal densities over smooth bins from a simulation with control variates. The sampling
   /// errors of marginals over smooth bins are far smaller than the sampling errors of marginals
   /// over sharp bins. Solutions of other solvers and of saved runs have no marginals over smooth
   /// bins.
   std::vector<std::pair<StateVariable, SmoothBinEstimate>> smooth_estimates = {};
-  /// Data for the Richardson limit, if the solver estimated its discretisation error from a coarser
-  /// grid.
+  /// Data for the Richardson limit, if the solver also solved the problem on a coarser grid.
   std::optional<CoarserGridDensity> extrapolation = {};
 
   /// Moments of the density; not set for a solution without a density.
@@ -119,13 +116,11 @@ struct Solution {
 
   const std::string& id() const { return identity.id; }
   bool has_status_ok() const { return status == Status::ok; }
-  /// Returns whether the solution has a joint or a marginal density, and therefore moments and a
-  /// mass.
+  /// Returns whether the solution has a density or a marginal, and therefore moments and a mass.
   bool has_density() const { return density || !estimated_marginals.empty() || had_density; }
 };
 
-/// Returns whether a solution has an error estimate, or a sampling error, for each of its marginal
-/// densities.
+/// Returns whether a solution has an error estimate or a sampling error for each of its marginals.
 bool has_error_estimate(const Solution& solution);
 
 /// Changes the status `ok` of a solution without an error estimate to `inaccurate`.

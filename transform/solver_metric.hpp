@@ -15,8 +15,7 @@ namespace fpkcheck::transform {
 /// metric.
 enum class SolverMetricKind {
   result,  ///< part of the solution, which a repeated run must reproduce
-  /// Coefficient of a closed-form density, which a repeated run need not reproduce in the last
-  /// digits.
+  /// Coefficient of a closed form; a repeated run need not reproduce its last digits.
   coefficient,
   error,  ///< statistical error, estimated by the method
   work,   ///< diagnostics of the computation: steps, iterations, seconds, residuals
@@ -46,11 +45,9 @@ struct SolverMetric {
 using Metrics = std::vector<SolverMetric>;
 
 const SolverMetric* find_metric(const Metrics& metrics, std::string_view path);
-/// Returns the numerical value of the metric with the given path; empty if no numerical metric has
-/// the given path.
+/// Returns the number of the metric with the given path; empty for a path without a number.
 std::optional<double> metric_number(const Metrics& metrics, std::string_view path);
-/// Returns the text of the metric with the given path; empty if no metric with a text has the given
-/// path.
+/// Returns the text of the metric with the given path; empty for a path without a text.
 std::optional<std::string> metric_text(const Metrics& metrics, std::string_view path);
 
 class SolverMetricsBuilder {
