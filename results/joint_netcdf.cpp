@@ -22,8 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Largest accepted size of a netCDF file in bytes; the joint densities of hundreds of cases need
-// less.
+// Largest accepted netCDF file in bytes; the joint densities of hundreds of cases need less.
 constexpr std::size_t kMaxBytes = std::size_t{256} << 20;
 
 const std::string kSourcePrefix = "source_";
@@ -38,8 +37,7 @@ std::vector<std::string> solution_ids(const Run& run) {
   return ids;
 }
 
-/// Values of a netCDF variable of one case, shape (solution, cells), with NaN for solutions without
-/// values.
+/// Values of a netCDF variable, shape (solution, cells), with NaN for solutions without values.
 class NetCdfSolutionVariable {
  public:
   NetCdfSolutionVariable(const std::vector<std::string>& solutions, std::size_t cells)
@@ -112,8 +110,7 @@ void write_joint_densities_of_case(NetCdfWriter& file, const CaseResult& case_re
   }
 }
 
-/// Calls use(case, solution, density) for each case and each solution with values in a netCDF
-/// variable.
+/// Calls use(case, solution, density) for each solution with values in a netCDF variable.
 template <class Use>
 void for_each_stored_density(NetCdfReader& file, const std::string& name,
                              const std::vector<std::string>& solutions, Use use) {

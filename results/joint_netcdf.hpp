@@ -47,8 +47,7 @@ struct JointDensityFileContent {
 /// Returns whether the bytes are a netCDF file with the variables of joint_netcdf_bytes().
 bool is_joint_netcdf(const std::string& bytes);
 
-/// @param inspect optional function that receives the bytes of the file before parsing, and may
-/// throw an exception
+/// @param inspect optional function that checks the bytes of the file before parsing
 /// @throws InputError with a message of one line
 JointDensityFileContent read_joint_netcdf(
     const std::filesystem::path& file,

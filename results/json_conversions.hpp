@@ -63,8 +63,7 @@ int integer_at_key(const Json& object, const char* key);
 /// @throws nlohmann::json::exception
 std::optional<double> optional_number_at_key(const Json& object, const char* key);
 
-/// Returns a copy of a JSON value in which null replaces each infinity and NaN, which JSON cannot
-/// represent.
+/// Returns a copy of a JSON value with null for each infinity and NaN, which JSON lacks.
 Json replace_non_finite_by_null(Json value);
 
 /// Returns the text of a JSON value. Bytes that are not valid UTF-8, for example from file names,

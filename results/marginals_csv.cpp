@@ -43,8 +43,7 @@ std::string interval_end_text(const std::vector<double>& ends, std::size_t k) {
   return ends.empty() ? "" : fmt::format("{}", ends[k]);
 }
 
-// Reads a line of a CSV file without its line end, LF or CRLF, since version control may change
-// line ends.
+// Reads a line without its line end, LF or CRLF, since version control may change line ends.
 bool read_line(std::istream& in, std::string& line) {
   if (!std::getline(in, line)) return false;
   if (line.ends_with('\r')) line.pop_back();

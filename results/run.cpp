@@ -20,8 +20,7 @@ const DensityCurve* find_density_curve(const std::vector<DensityCurve>& curves,
   return found == curves.end() ? nullptr : &*found;
 }
 
-// Returns the common width of all bins of a marginal density; empty if the widths of the bins
-// differ.
+// Returns the common width of all bins of a marginal density; empty if the widths differ.
 std::optional<double> common_bin_width(const std::vector<double>& centres) {
   if (centres.size() < 2) return std::nullopt;
   constexpr double kRounding = 1e-6;

@@ -70,8 +70,7 @@ struct CaseResult {
   /// Marginal densities of all solutions over smooth bins (B-spline weights); empty unless a
   /// solution has smooth estimates (compare/smooth_reference.hpp).
   std::vector<DensityCurve> smooth = {};
-  /// Moment error estimates in the order of the solutions; some solutions have no moment error
-  /// estimate.
+  /// Moment error estimates in the order of the solutions; some solutions have none.
   std::vector<MomentErrorEstimate> moment_error_estimates = {};
   std::vector<MomentErrorSource> error_sources =
       {};  ///< sources of the errors of E[y^2] and E[y'^2]
@@ -83,8 +82,7 @@ struct CaseResult {
   const transform::Solution* find(std::string_view id) const {
     return transform::find_solution(solutions, id);
   }
-  /// Returns the reference, i.e. the most accurate solution of the case; null for a case without a
-  /// reference.
+  /// Returns the reference, i.e. the most accurate solution of the case; null without a reference.
   const transform::Solution* reference_solution() const { return find(assessment.reference); }
   /// Recomputes `assessment` from the solutions, distances and error budget. Callers must call
   /// update_assessment() after a change of the solutions, the distances or the error budget.
@@ -95,8 +93,7 @@ struct CaseResult {
                                    transform::StateVariable variable) const;
   /// Returns the residual-based moment error estimate of a solution, or null.
   const MomentErrorEstimate* moment_error_estimate(std::string_view solution) const;
-  /// Returns the contributions of the cells to the error of one moment (y2 or v2) of a solution, or
-  /// null.
+  /// Returns the error sources of one moment (y2 or v2) of a solution, or null.
   const MomentErrorSource* moment_error_source(std::string_view solution,
                                                std::string_view moment) const;
   std::optional<double> l1_distance(std::string_view one, std::string_view other,
@@ -130,8 +127,7 @@ struct Run {
 CaseResult make_case_result(const problem::Problem& problem, const compare::ComparisonBins& axes,
                             std::vector<transform::Solution> solutions);
 
-/// Converts a marginal density of a solution to a DensityCurve, the form in which runs store
-/// marginal densities.
+/// Converts a marginal density of a solution to the form in which runs store marginal densities.
 DensityCurve make_density_curve(compare::SolutionMarginalDensity&& marginal);
 
 /// Returns a sentence on the limiting error (the largest error) of each closure of a case, and a

@@ -231,8 +231,7 @@ compare::ClosuresWithSameLimitingError limiting_error_from_json(
   return group;
 }
 
-// Reads the assessment of a case and requires exactly the solutions of the case, in the order of
-// the case.
+// Reads the assessment of a case and requires exactly the solutions of the case, in their order.
 compare::SolutionsAssessment assessment_from_json(const Json& json, const CaseResult& case_result) {
   const auto id_in = [&](const Json& object) {
     auto id = object.at("solution").get<std::string>();

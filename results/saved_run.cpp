@@ -78,8 +78,7 @@ void read_curves(const fs::path& file, Run& run, std::vector<DensityCurve> CaseR
   }
 }
 
-// Returns whether exactly those solutions of a case that have a density also have marginal density
-// curves.
+// Returns whether exactly the solutions with a density have marginal density curves.
 bool has_matching_curves(const CaseResult& case_result) {
   std::set<std::string> with_curves, with_density;
   for (const auto& curve : case_result.curves) with_curves.insert(curve.solution);

@@ -20,8 +20,7 @@ using transform::Moments;
 using transform::Solution;
 using transform::SolutionIdentity;
 
-// Texts that represent the unknown density equation and the unknown impact condition of an external
-// density.
+// Texts for the unknown density equation and impact condition of an external density.
 constexpr const char* kUnknownEquation = "given";
 constexpr const char* kUnknownImpact = "-";
 

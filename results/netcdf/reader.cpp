@@ -28,8 +28,7 @@ void check_read_status(int status, const std::string& what) {
 NetCdfReader::NetCdfReader(std::string bytes) : bytes_(std::move(bytes)) {
   // libnetcdf does not validate the headers of formats older than netCDF-4 (HDF5).
   if (!bytes_.starts_with(kNetCdfMagic)) throw std::runtime_error("not netCDF-4");
-  // The netCDF file is opened from memory, since libnetcdf interprets some paths as network
-  // addresses.
+  // Files are opened from memory, since libnetcdf interprets some paths as network addresses.
   check_read_status(nc_open_mem("bytes", NC_NOWRITE, bytes_.size(), bytes_.data(), &id_),
                     "cannot be opened");
 }
@@ -107,8 +106,7 @@ std::size_t NetCdfReader::value_count(const std::string& name) {
   std::vector<std::size_t> chunk(lengths.size());
   check_read_status(nc_inq_var_chunking(id_, id, &storage, chunk.data()), name);
   if (storage != NC_CHUNKED) return count;
-  // The chunk size of netCDF variables is limited, since libnetcdf allocates whole chunks even for
-  // few values.
+  // The chunk size is limited, since libnetcdf allocates whole chunks even for few values.
   for (std::size_t k = 0; k < chunk.size(); ++k) {
     if (chunk[k] > std::max<std::size_t>(lengths[k], 1)) {
       throw std::runtime_error(fmt::format("{}: a chunk exceeds the dimensions", name));

@@ -48,8 +48,7 @@ class NetCdfWriter {
   template <class Number>
   int write_compressed(const std::string& name, const std::vector<int>& dimensions,
                        const std::string& long_name, std::span<const Number> values);
-  /// Writes texts along a dimension as UTF-8 characters padded with zeros, a form that all netCDF
-  /// readers support.
+  /// Writes texts along a dimension as UTF-8 padded with zeros, which all netCDF readers support.
   /// @param dimension id of the dimension
   void write_labels(const std::string& name, int dimension, std::span<const std::string> texts);
 
