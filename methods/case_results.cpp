@@ -20,8 +20,7 @@ std::vector<results::CaseResult> compute_case_results(const std::vector<problem:
   const auto poll = [&] {
     if (settings.poll) settings.poll();
   };
-  // Since all methods share the residual-based error estimators, each backward equation is solved
-  // only once.
+  // All methods share the error estimators, so that each backward equation is solved only once.
   const auto estimators = make_error_estimators(problems);
   auto cases = run_cases(problems, methods, settings.threads, settings.progress, estimators,
                          settings.case_listener);

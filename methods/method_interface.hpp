@@ -94,8 +94,7 @@ struct Solver {
   std::function<Method(const base::Values&)> method = {};
 };
 
-/// Functions of the library of a solver, from which registry_entry_with_solver_traits() makes a
-/// registry entry.
+/// Functions of the library of a solver, for registry_entry_with_solver_traits().
 template <class Options>
 struct SolverLibraryFunctions {
   const base::OptionsDescription<Options>& description;

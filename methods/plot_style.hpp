@@ -30,8 +30,7 @@ transform::PlotStyle closure_style(const transform::SolutionIdentity& identity);
 /// equation with the full jump integral has a broad solid line, drawn below all other curves.
 transform::PlotStyle density_equation_style(const transform::SolutionIdentity& identity);
 
-/// @param rank index of the finite-volume scheme among all schemes, by increasing order of
-/// accuracy, from 0
+/// @param rank index of the finite-volume scheme by increasing order of accuracy, from 0
 transform::PlotStyle finite_volume_scheme_style(std::size_t rank);
 
 /// Returns the plot style of a simulation: points, drawn above all lines.

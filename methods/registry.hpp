@@ -24,8 +24,7 @@ class SolverRegistry {
   std::vector<const MethodFamily*> method_families_by_trust() const;
 
   /// Returns the method with a given id; empty if no solver has a method with this id.
-  /// @param overrides option values that replace the default values; options of other solvers are
-  /// ignored
+  /// @param overrides values that replace default options; options of other solvers are ignored
   /// @throws InputError if the options are invalid
   std::optional<Method> find_method_by_id(std::string_view id,
                                           const base::Values& overrides = {}) const;
@@ -50,8 +49,7 @@ class SolverRegistry {
   std::optional<Method> method_for_solution(const transform::Solution& solution,
                                             const base::Values& overrides) const;
 
-  /// Sets the family, meaning, trust and plot style of those solutions of a saved run that have
-  /// none.
+  /// Sets the missing family, meaning, trust and plot style of solutions of a saved run.
   void set_missing_identity_fields_of_run(results::Run& run) const;
 
  private:

@@ -29,8 +29,7 @@ struct MethodSolveTask {
   std::size_t method;
 };
 
-// Collects the solutions of a run in a table, shape (problems, methods), and reports the progress
-// of the run.
+// Collects the solutions of a run, shape (problems, methods), and reports the progress.
 class SolutionsByProblemAndMethod {
  public:
   SolutionsByProblemAndMethod(const std::vector<problem::Problem>& problems,

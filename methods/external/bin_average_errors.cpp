@@ -42,8 +42,7 @@ void extrapolate_to_first_knot(BinAverageError& bin, double ratio) {
   bin.factors[1] -= at_first * ratio;
 }
 
-// Replaces the density value at the last knot (index `points`) by extrapolation from the two
-// previous knots.
+// Replaces the value at the last knot (index `points`) by extrapolation from two knots.
 void extrapolate_to_last_knot(BinAverageError& bin, std::size_t points, double ratio) {
   if (bin.first + bin.factors.size() <= points) return;
   const double at_last = bin.factors.back();

@@ -23,8 +23,7 @@ struct BinAverageError {
 
 /// Returns the sampling errors of the averages of a density over bins. The density is taken as
 /// linear between the points, at which the errors are independent.
-/// @param knots abscissae of the points, and positions of the walls to which the density is
-/// extrapolated
+/// @param knots abscissae of the points, and of walls to which the density is extrapolated
 /// @param errors standard errors of the density at the points
 /// @param extrapolation whether the first or the last knot is a wall, to which the density is
 /// extrapolated linearly from the next two knots

@@ -42,8 +42,7 @@ class DensityQuadratureGrid {
 /// density over the subcells, the quadrature gives the exact cell averages of the density.
 std::vector<double> subcell_edges(const std::vector<double>& edges);
 
-/// Integrals of an external density p(y, y'), computed from the values of the density at the
-/// quadrature points.
+/// Integrals of an external density p(y, y'), from the values of p at the quadrature points.
 class DensityIntegrals {
  public:
   /// The arguments `points` and `values` must outlive the DensityIntegrals object.

@@ -70,8 +70,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   const problem::WallFrame frame = problem::wall_frame(problem.system);
   const problem::Problem transformed = problem::to_wall_coordinates(frame, problem);
   const problem::System& system = transformed.system;
-  // If a formula states the force, the balance equations contain the whole force f + g
-  // (VirialBalanceTerms).
+  // For a force formula the balances contain the whole force f + g (VirialBalanceTerms).
   const auto force = [&](double x, double v) {
     return system.force(x, system.has_polynomial_force() ? 0 : v);
   };

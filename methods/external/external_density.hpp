@@ -25,15 +25,13 @@ struct ExternalDensity {
 
 /// Returns the identity of the solution for an external density.
 /// @param method transform::kExternalFile or transform::kExternalFunction
-/// @param origin phrase on the origin of the density for the glossary, such as "given as a
-/// function"
+/// @param origin phrase on the origin of the density for glossaries: "given as a function"
 transform::SolutionIdentity make_external_density_identity(const ExternalDensity& external,
                                                            std::string_view method,
                                                            const std::string& origin);
 
 struct JointDensityOptions {
-  /// Whether to divide the density by its integral; the integral becomes the metric
-  /// "normalised_by".
+  /// Whether to divide the density by its integral, which becomes the metric "normalised_by".
   bool normalise = true;
   /// Largest residual-based L1 error estimate of p(y) and p(y') for the status `ok`. The limit
   /// `accuracy` has no effect on an external density whose density equation is unknown.

@@ -16,8 +16,7 @@
 namespace fpkcheck::methods {
 namespace {
 
-// Returns the name of the netCDF variable or gnuplot data block for a label: "a_b" for the labels
-// "a.b" and "a-b".
+// Returns the netCDF variable or gnuplot data block of a label: "a_b" for "a.b" and "a-b".
 std::string label_as_identifier(std::string label) {
   std::ranges::replace_if(
       label, [](unsigned char c) { return !std::isalnum(c); }, '_');

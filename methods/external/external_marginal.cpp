@@ -14,8 +14,7 @@
 #include "methods/external/number_table.hpp"
 #include "numerics/statistics.hpp"
 
-// The include of pchip.hpp follows fpclassify, since pchip of Boost 1.74 calls isnan without a
-// declaration.
+// pchip.hpp follows fpclassify, since pchip of Boost 1.74 calls isnan without a declaration.
 #include <boost/math/interpolators/makima.hpp>
 #include <boost/math/interpolators/pchip.hpp>
 

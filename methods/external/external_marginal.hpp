@@ -13,8 +13,7 @@
 
 namespace fpkcheck::methods {
 
-/// Properties of a file with a marginal density and the divisor of the normalisation, for the
-/// summary of a run.
+/// Properties of a marginal density file and of its normalisation, for the summary of a run.
 struct MarginalFileSummary {
   std::string path;
   std::string form;  ///< form of the data: "histogram" or "points"
@@ -52,8 +51,7 @@ class ExternalMarginal {
   /// Returns the fraction of the mass of the density outside the interval lower <= x <= upper.
   double mass_fraction_outside(double lower, double upper) const;
 
-  /// Returns the L1 sampling error of the bin averages, from the standard errors in the density
-  /// file.
+  /// Returns the L1 sampling error of the bin averages, from the standard errors in the file.
   /// @pre has_standard_errors()
   L1SamplingError l1_sampling_error(std::span<const double> edges) const;
   bool has_standard_errors() const { return !errors_.empty(); }

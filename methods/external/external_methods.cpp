@@ -40,8 +40,7 @@ std::optional<std::string> outside_mass_note(const ExternalMarginal& marginal, d
       100 * share, marginal.variable() == StateVariable::y ? "y" : "y'", bins.front(), bins.back());
 }
 
-// Adds the properties of a marginal density file and the divisor of the normalisation as metrics
-// under "files[k]".
+// Adds the properties of a density file and its normalisation as metrics under "files[k]".
 void add_metrics(const ExternalMarginal& marginal, const std::vector<double>& bins, double mass,
                  double min_density, std::size_t k, transform::SolverMetricsBuilder& builder) {
   const std::string path = fmt::format("files[{}].", k);

@@ -11,8 +11,7 @@ namespace fpkcheck::methods {
 /// contact with a wall (y' = 0 at the wall) contribute only to the moments, since the stationary
 /// distribution has an atom at the state of rest.
 /// @param y, v displacement and velocity of each sample
-/// @param independent effective number of independent samples; 0 means that all samples are
-/// independent
+/// @param independent effective number of independent samples; 0 for the number of samples
 /// @throws InputError for fewer than 100 samples, different lengths of y and v, a value that is not
 /// finite, or `independent` above the number of samples. Method::check throws InputError for a
 /// sample behind a wall.

@@ -12,8 +12,7 @@
 #include "methods/external/number_table.hpp"
 #include "methods/external/range_between_walls.hpp"
 
-// The include of makima.hpp follows fpclassify, since makima of Boost 1.74 calls isnan without a
-// declaration.
+// makima.hpp follows fpclassify, since makima of Boost 1.74 calls isnan without a declaration.
 #include <boost/math/interpolators/makima.hpp>
 
 namespace fpkcheck::methods {
@@ -49,8 +48,7 @@ void require_axis(const std::vector<double>& axis, const char* symbol, const std
   }
 }
 
-// Akima's modified interpolant of function values at increasing points; 0 outside the range of the
-// points.
+// Akima's modified interpolant of function values at increasing points; 0 outside their range.
 class AkimaInterpolant {
  public:
   AkimaInterpolant(const std::vector<double>& at, std::vector<double> values)

@@ -30,8 +30,7 @@ WallExtrapolation select_extrapolation_walls(const problem::Walls& walls,
 double extrapolate_to_wall(double wall, std::span<const double> y, std::span<const double> values,
                            std::size_t first, double least);
 
-/// Returns the range of y between the walls as text: "y >= 0", "y <= 1", "-0.5 <= y <= 1" or "any
-/// y".
+/// Returns the range of y between walls as text: "y >= 0", "-0.5 <= y <= 1" or "any y".
 std::string admissible_range_text(const problem::Walls& walls);
 
 }  // namespace fpkcheck::methods
