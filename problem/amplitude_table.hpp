@@ -32,8 +32,7 @@ inline constexpr double kTableSumTolerance = 1e-3;
 /// Parses a table of amplitudes from CSV text with the columns amplitude,probability or
 /// amplitude,density.
 /// @param file_name name of the CSV file in error messages
-/// @throws InputError "FILE_NAME:LINE: .." that states the error and the allowed contents of the
-/// table
+/// @throws InputError "FILE_NAME:LINE: .." that states the error and the allowed contents
 AmplitudeTable parse_amplitude_csv(std::string_view csv, const std::string& file_name);
 
 /// Returns the table literal of an amplitude table, that is, the text of the table as one word of a

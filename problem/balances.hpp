@@ -78,8 +78,7 @@ double power_balance_residual(const Problem& problem, const PowerBalanceTerms& t
 /// by parts gives the same momentum r int w f dw. Only the balance of power, whose energy is
 /// quadratic in v, distinguishes the impact condition `map` from `delta`.
 
-/// The two sides of a balance equation, which are equal for the exact stationary density of the
-/// problem.
+/// The two sides of a balance equation, which are equal for the exact stationary density.
 struct BalanceEquation {
   double left;
   double right;

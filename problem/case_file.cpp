@@ -144,8 +144,7 @@ void require_used_constants(const CaseFileSettings& from_file, const CaseFileSet
 constexpr const char *kLaw = "impulse.law", *kTable = "impulse.table", *kMean = "impulse.mean",
                      *kIntensity = "impulse.intensity", *kRate = "impulse.rate";
 
-// Replaces the file name in `impulse.table` by the table literal of the amplitude table in the
-// file.
+// Replaces the file name in `impulse.table` by the table literal of the contents of the file.
 void load_amplitude_table(CaseFileSettings& settings, const std::filesystem::path& folder) {
   const auto table = settings.find(kTable);
   if (table == settings.end()) return;

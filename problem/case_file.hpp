@@ -21,8 +21,7 @@ enum class CaseNamingRule {
 };
 
 /// Loads a case by its name ("case1" .. "case4") or by the path of an ini file.
-/// @param overrides "key=value" pairs that replace settings of the ini file, e.g.
-/// "system.cubic=1.0"
+/// @param overrides "key=value" pairs that replace settings of the file, e.g. "system.cubic=1.0"
 /// @param time_section whether the case may contain the section [time]
 /// @throws InputError with a one-line message that states the key, the value, the file and the
 /// allowed values. A file name with unprintable characters is an error, since the file name becomes
@@ -65,8 +64,7 @@ const std::vector<BuiltInCase>& paper_cases();
 /// Returns the example oscillators, each the simplest oscillator of its type in docs/systems.md.
 const std::vector<BuiltInCase>& example_oscillator_cases();
 
-/// Returns the case of the paper or the example oscillator with the given name; null for an unknown
-/// name.
+/// Returns the case of the paper or the example with the given name; null for an unknown name.
 const BuiltInCase* find_built_in_case(std::string_view name);
 
 }  // namespace fpkcheck::problem

@@ -88,8 +88,7 @@ void EffectivePotential::tabulate_potential() {
   for (std::size_t n = middle; n-- > 0;) add(n + 1, n);
 
   const auto &left = system_.left_wall(), &right = system_.right_wall();
-  // Sign changes of the slope V' of the potential are searched on subdivisions of the intervals
-  // between the knots.
+  // Sign changes of the slope V' are searched on subdivisions of the intervals between knots.
   constexpr int kDivisions = 4;
   double before = left ? left->position : knots_.front();
   low_ = left ? left->position : -1;
@@ -127,8 +126,7 @@ void EffectivePotential::tabulate_potential() {
       sum += outward;
       squares += outward * outward;
     }
-    // The standard error of the mean slope is at most the root mean square of the slopes divided by
-    // sqrt(kSamples).
+    // The standard error of the mean slope is at most the root mean square / sqrt(kSamples).
     const double mean = sum / kSamples, rms = std::sqrt(squares / kSamples);
     return mean > 5 * rms / std::sqrt(kSamples) &&
            at_far - before_far > 1e-12 * std::max(1.0, std::abs(at_far));

@@ -20,8 +20,7 @@ std::vector<double> polynomial_sign_changes_between_walls(const numerics::Polyno
 class EffectivePotential {
  public:
   explicit EffectivePotential(const Problem& problem);
-  /// Constructs an effective potential that equals the potential U of the spring, without the mean
-  /// force of impulses.
+  /// Constructs the potential V = U of the spring alone, without the mean force of impulses.
   explicit EffectivePotential(const System& system);
 
   double operator()(double y) const {

@@ -168,8 +168,7 @@ double slowest_relaxation_rate(const EnergyDiffusionTree& tree,
     for (std::size_t b = n; b-- > 0;) {
       const std::size_t parent = above[b];
       if (parent == b) continue;
-      // Sum over the other branches of the tree that merge with the branch of node b at the parent
-      // node.
+      // Sum over the other branches that merge with the branch of node b at the parent node.
       double beside = 0;
       for (std::size_t other = b; other-- > 0 && b - other < kMaxBranches;) {
         if (above[other] == parent) beside += below[other];

@@ -38,8 +38,7 @@ class EnergyAveraging {
     return reason_for_unconfined_motion_;
   }
 
-  /// The undamped orbits of one potential well in an interval of energies, with their stationary
-  /// probability.
+  /// The undamped orbits of one well in an interval of energies, with their probability.
   struct EnergyBand {
     double energy;  ///< energy at the middle of the band
     OrbitIntegrals orbit;

@@ -56,8 +56,7 @@ EquivalentLinearisation equivalent_linearisation(const Problem& problem) {
   const double d2 = problem.impulses.intensity() / 2;
   const auto stiffness = [&](double s1) { return mean_tangent_stiffness(system, s1); };
   const auto damping = [&](double k_eq) {
-    // In equivalent linearisation the ratio sigma_2 / sigma_1 of the standard deviations is
-    // sqrt(k_eq).
+    // The ratio sigma_2 / sigma_1 of the standard deviations is sqrt(k_eq).
     return system.damping() + (1 - system.restitution()) * 2 / std::numbers::pi * std::sqrt(k_eq);
   };
   // The equation sigma_1^2 k_eq c_eq = D2 has exactly one root, the standard deviation sigma_1 of

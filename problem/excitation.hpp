@@ -28,8 +28,7 @@ struct ImpulseParameters {
   std::string law;      ///< name of the law of Y, one of ImpulseLaw::law_names()
   double intensity;     ///< intensity lambda E[Y^2] > 0
   double mean;          ///< mean amplitude E[Y], with E[Y]^2 < intensity / arrival_rate
-  /// Skewness of the impulse amplitude Y, for asymmetric laws; if absent, the law has its default
-  /// skewness.
+  /// Skewness of the amplitude Y, for asymmetric laws; if absent, the default skewness of the law.
   std::optional<double> skewness = {};
   /// Amplitudes of a tabulated amplitude law, as a table literal (problem/amplitude_table.hpp).
   std::optional<std::string> table = {};
@@ -62,8 +61,7 @@ class ImpulseTrain {
   /// noise with the power of the impulses.
   double intensity() const { return rate_times_moment(2); }
 
-  /// Returns an impulse train with the same amplitude law and the arrival rate multiplied by
-  /// `factor` > 0.
+  /// Returns an impulse train with the arrival rate multiplied by `factor` > 0.
   ImpulseTrain with_rate_multiplied_by(double factor) const;
   /// Returns the mirrored impulse train, with amplitudes -Y instead of Y.
   ImpulseTrain with_negated_amplitudes() const;

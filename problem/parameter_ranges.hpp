@@ -17,8 +17,7 @@ inline constexpr double kLargestMagnitude = 1e30;
 /// Requires that the magnitude of every nonzero number is within kSmallestMagnitude ..
 /// kLargestMagnitude.
 /// @param prefix text before the parameter names in error messages, as in case files: "system."
-/// @throws InputError that states the limits, and name and value of the first nonzero number
-/// outside the limits
+/// @throws InputError that states the limits, and name and value of the first number outside
 void require_magnitudes_in_range(const std::string& prefix, const base::Values& values);
 
 template <class Owner>

@@ -48,8 +48,7 @@ struct WallParameters {
 
 const base::OptionsDescription<WallParameters>& wall_parameter_description();
 
-/// The walls at the left and right ends of the interval of the displacement y; a wall is absent on
-/// an unbounded side.
+/// The walls at the ends of the range of the displacement y; absent on an unbounded side.
 struct Walls {
   std::optional<Wall> left, right;
 };

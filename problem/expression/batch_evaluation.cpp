@@ -26,8 +26,7 @@ FPKCHECK_INLINE Real absolute(const Real& x) {
 
 // Largest magnitude of an argument of simd::exponential().
 constexpr double kLargestExponent = 700;
-// For arguments of magnitude below kSmall, series replace the differences of exponentials in sinh
-// and tanh.
+// For arguments below kSmall, series replace the differences of exponentials in sinh and tanh.
 constexpr double kSmall = 0.06;
 
 template <class Real>
@@ -200,8 +199,7 @@ FPKCHECK_INLINE void raise_to_power(DualNumberBatch<Real>& base,
 // Powers with constant exponents above kLargestHalfInteger are computed by the standard library.
 constexpr double kLargestHalfInteger = 8;
 
-// For at most kHalf points only half a batch is evaluated, since half a batch fits into one
-// register of AVX2.
+// For at most kHalf points half a batch is evaluated, which fits into one register of AVX2.
 constexpr std::size_t kHalf = Expression::kBatchPoints / 2;
 
 template <class Real>
@@ -224,8 +222,7 @@ FPKCHECK_INLINE void store_points(std::size_t count, const Real& batch, double* 
 template <class Number>
 FPKCHECK_INLINE Number Expression::evaluate_simd_batch(const Number& y, const Number& v,
                                                        std::size_t count) const {
-  // The value on top of the stack is a local variable, so that operations need not wait for stores
-  // to memory.
+  // The value on top of the stack is a local variable, so that operations wait for no stores.
   Number top = y;
   std::array<Number, kMaxDepth + 1> below;
   std::size_t depth = 0;

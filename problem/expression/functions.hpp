@@ -24,8 +24,7 @@ struct NamedFunction {
   Value kink = nullptr;
 };
 
-/// All functions that a formula can call. A new function of formulas needs one entry in the table
-/// kFunctions.
+/// All functions that a formula can call. A new function needs one entry in kFunctions.
 inline constexpr std::array kFunctions{
     NamedFunction{"abs", 1, [](double a, double) { return std::abs(a); },
                   [](double a, double) { return a < 0   ? -1.0

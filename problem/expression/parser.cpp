@@ -235,8 +235,7 @@ class ExpressionParser {
     }
   }
 
-  // Returns the operand with a given name, which is a variable, a named constant or pi; nullopt for
-  // other names.
+  // Returns the variable, named constant or pi with a given name; nullopt for other names.
   std::optional<Node> operand_of(std::string_view name) const {
     if (name.size() == 1 && variables_.find(name) != std::string_view::npos) {
       return Node{name == "v" ? Operation::v : Operation::y};  // t is the first argument, as y is

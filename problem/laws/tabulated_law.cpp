@@ -39,8 +39,7 @@ double expectation_of_power(const AmplitudeTable& table, int n) {
   return sum;
 }
 
-// Returns the probability P(Z <= at) of the standardised amplitude Z if `with_equal` is true,
-// otherwise P(Z < at).
+// Returns P(Z <= at) of the standardised amplitude Z if `with_equal` is true, else P(Z < at).
 double table_cumulative_probability(const AmplitudeTable& table, double at, bool with_equal) {
   const auto& z = table.amplitude;
   const auto& w = table.weight;
