@@ -40,7 +40,7 @@ class Expression {
  public:
   /// Parses the text of a formula.
   /// @param label beginning of error messages, for example the key of the case file
-  /// @param variables letters of the variables that the formula may contain: "yv" or "t"
+  /// @param variables letters of the admissible variables, such as "yv", "y", "v" or "t"
   /// @throws InputError "LABEL column N: CAUSE; ACTION" for a text outside the grammar, an unknown
   /// name, or a text above the limits of length, nesting and number of operations
   static Expression parse(std::string_view text, const NamedConstants& constants,
