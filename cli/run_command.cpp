@@ -55,12 +55,6 @@ Keys after the label:
 )";
 constexpr const char* kDefaultDirectory = "fpkcheck-out";
 
-std::string all_solver_names(const methods::SolverRegistry& registry) {
-  std::string list;
-  for (const auto& solver : registry.solvers()) list += solver.name + ',';
-  return list;
-}
-
 }  // namespace
 
 int run_command(const CommandInvocation& call) {
@@ -72,8 +66,9 @@ int run_command(const CommandInvocation& call) {
   std::vector<std::string> against;
   std::optional<double> until;  // density_over_time_command() treats all runs with this option
   po::options_description own;
-  own.add_options()("methods", make_optional_option(list, "LIST"),
-                    "solvers, families or ids of methods, separated by commas (default: all)");
+  own.add_options()(
+      "methods", make_optional_option(list, "LIST"),
+      "all, or solvers, families or ids of methods, separated by commas (default: epc,fd,mcs)");
   own.add_options()("until", make_optional_option(until, "T"),
                     "densities over time, 0 .. T, of one case; fpkcheck run --until T --help "
                     "lists the options");
@@ -85,8 +80,8 @@ int run_command(const CommandInvocation& call) {
   own.add(make_solver_run_options(call.registry, given));
   if (!parse_case_arguments(call.arguments, kRunUsage, own, common)) return kSuccess;
 
-  auto methods =
-      call.registry.methods_selected_by_list(list.value_or(all_solver_names(call.registry)), given);
+  auto methods = call.registry.methods_selected_by_list(
+      list.value_or(call.registry.default_method_list()), given);
   if (common.cases.empty()) {
     for (const auto& named : problem::paper_cases()) common.cases.push_back(named.name);
   }

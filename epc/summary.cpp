@@ -5,6 +5,9 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
+
+#include "transform/smooth_density_results.hpp"
 
 namespace fpkcheck::epc {
 namespace {
@@ -160,6 +163,17 @@ void add_half_plane_metrics(const ClosureSummary& summary, SolverMetricsBuilder&
 }
 
 }  // namespace
+
+transform::QuadratureMarginals store_density(const problem::Problem& problem,
+                                             problem::ImpactCondition impact,
+                                             const transform::SmoothDensity& density,
+                                             ClosureResult& result,
+                                             transform::QuadraturePanelSpacing panels) {
+  auto results = transform::store_smooth_density(problem, impact, density, result.solution, panels);
+  result.summary.moments = results.marginals.moments;
+  result.summary.balances = results.balances;
+  return std::move(results.marginals);
+}
 
 transform::Metrics solver_metrics(const ClosureSummary& summary,
                                   const transform::Moments& moments) {

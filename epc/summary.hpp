@@ -6,6 +6,8 @@
 #include "epc/form/closed_form_parameters.hpp"
 #include "epc/form/exponent_polynomial.hpp"
 #include "epc/options.hpp"
+#include "problem/problem.hpp"
+#include "transform/marginal_density.hpp"
 #include "transform/solution.hpp"
 #include "transform/solver_metric.hpp"
 
@@ -118,6 +120,15 @@ struct ClosureResult {
   transform::Solution solution;
   ClosureSummary summary;
 };
+
+/// Stores a density in the solution (transform::store_smooth_density()), and its moments and
+/// balance residuals in the summary, in the coordinates of the problem's frame.
+/// @param impact impact condition of the equation, which defines the power lost in impacts
+/// @return marginal densities
+transform::QuadratureMarginals store_density(
+    const problem::Problem& problem, problem::ImpactCondition impact,
+    const transform::SmoothDensity& density, ClosureResult& result,
+    transform::QuadraturePanelSpacing panels = transform::QuadraturePanelSpacing::uniform);
 
 /// Returns the metrics of a closure summary, in the order of the output files.
 /// @param moments moments in the variables of the polynomial Q_n, which scale the effect of a

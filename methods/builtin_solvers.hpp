@@ -5,10 +5,12 @@
 
 namespace fpkcheck::methods {
 
-/// Registry entries of the built-in solvers, defined in methods/epc.cpp, methods/fd.cpp and
-/// methods/mcs.cpp.
+/// Registry entries of the built-in solvers, each defined in a file of methods/ with the name of
+/// the solver.
 Solver epc_solver();
 Solver fd_solver();
+Solver linearisation_solver();
+Solver averaging_solver();
 Solver mcs_solver();
 
 SolverRegistry builtin_registry();

@@ -66,28 +66,21 @@ Solver epc_solver() {
                           {"epc-polar-n4", "epc-polar-n6", "epc-polar-n8"})},
       .run_options = {"accuracy"}};
   return registry_entry_with_solver_traits<epc::ClosureOptions>(
-      std::move(entry),
-      {.description = epc::solver_option_descriptions(),
-       .validate = epc::validate,
-       .identity = epc::solution_identity,
-       .options_of = epc::options_of,
-       .solve =
-           [](const problem::Problem& problem, const epc::ClosureOptions& options,
-              const SolverInputContext& context) {
-             auto solution = epc::solve_closure(problem, options).solution;
-             if (!solution.density || !options.accuracy || !context.estimate_error) {
-               return solution;
-             }
-             if (context.error_estimator != nullptr) {
-               set_residual_error_estimate(*context.error_estimator, *options.accuracy, solution,
-                                           problem.frame);
-             } else {
-               set_residual_error_estimate(ResidualErrorEstimator(problem), *options.accuracy,
-                                           solution, problem.frame);
-             }
-             return solution;
-           },
-       .unsupported_reason = epc::unsupported_reason});
+      std::move(entry), {.description = epc::solver_option_descriptions(),
+                         .validate = epc::validate,
+                         .identity = epc::solution_identity,
+                         .options_of = epc::options_of,
+                         .solve =
+                             [](const problem::Problem& problem, const epc::ClosureOptions& options,
+                                const SolverInputContext& context) {
+                               auto solution = epc::solve_closure(problem, options).solution;
+                               if (options.accuracy) {
+                                 set_closure_error_estimate(context, problem, *options.accuracy,
+                                                            solution);
+                               }
+                               return solution;
+                             },
+                         .unsupported_reason = epc::unsupported_reason});
 }
 
 }  // namespace fpkcheck::methods

@@ -28,4 +28,14 @@ transform::Solution solve_in_wall_coordinates(
       context.axes.y_edges);
 }
 
+void set_closure_error_estimate(const SolverInputContext& context, const problem::Problem& problem,
+                                double accuracy, transform::Solution& solution) {
+  if (!solution.density || !context.estimate_error) return;
+  if (context.error_estimator != nullptr) {
+    set_residual_error_estimate(*context.error_estimator, accuracy, solution, problem.frame);
+  } else {
+    set_residual_error_estimate(ResidualErrorEstimator(problem), accuracy, solution, problem.frame);
+  }
+}
+
 }  // namespace fpkcheck::methods

@@ -62,6 +62,13 @@ transform::Solution solve_in_wall_coordinates(
     const std::function<transform::Solution(const problem::Problem&, const SolverInputContext&)>&
         solve);
 
+/// Sets the residual-based error estimate of a closure (set_residual_error_estimate()) if the
+/// context requires an error estimate and the solution has a density.
+/// @param problem problem in the coordinates of the solution
+/// @param accuracy largest admissible L1 error of p(y) and of p(y')
+void set_closure_error_estimate(const SolverInputContext& context, const problem::Problem& problem,
+                                double accuracy, transform::Solution& solution);
+
 /// A family of methods of one solver, with a common name, meaning and plot style. Lists of methods,
 /// glossaries and legends have one entry for each family of methods.
 struct MethodFamily {
@@ -83,6 +90,8 @@ struct Solver {
   std::string usage;    ///< first part of `fpkcheck NAME --help`
   std::vector<MethodFamily> families;  ///< families of methods, by increasing trust
   bool uses_all_processors = false;
+  /// Whether a run includes the solver without the option --methods.
+  bool in_default_runs = true;
   /// Names of the options of the solver that the command `run` accepts.
   std::vector<std::string> run_options = {};
 

@@ -71,6 +71,17 @@ PlotStyle finite_volume_scheme_style(std::size_t rank) {
   return {.colour = kBlues[shade], .dash = kDashes[shade], .width = 2, .symbol = kEquationMarker};
 }
 
+PlotStyle literature_method_style(std::size_t rank) {
+  constexpr std::array kColours{"#8C510A", "#01665E"};
+  constexpr std::array kSymbols{"cross", "asterisk"};
+  constexpr std::array kDashPatterns{"(14,3)", "(3,3)"};
+  return {.colour = kColours.at(rank),
+          .dash = kDashPatterns.at(rank),
+          .width = 2,
+          .layer = 2,
+          .symbol = kSymbols.at(rank)};
+}
+
 PlotStyle simulation_style(const SolutionIdentity&) {
   return {.colour = kBlack, .width = 1, .as_points = true, .layer = 3, .symbol = "circle"};
 }

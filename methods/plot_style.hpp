@@ -33,6 +33,11 @@ transform::PlotStyle density_equation_style(const transform::SolutionIdentity& i
 /// @param rank index of the finite-volume scheme by increasing order of accuracy, from 0
 transform::PlotStyle finite_volume_scheme_style(std::size_t rank);
 
+/// Returns the plot style of a method for comparison with the literature, such as statistical
+/// linearisation.
+/// @param rank index of the method among all methods for comparison with the literature, from 0
+transform::PlotStyle literature_method_style(std::size_t rank);
+
 /// Returns the plot style of a simulation: points, drawn above all lines.
 transform::PlotStyle simulation_style(const transform::SolutionIdentity& identity);
 

@@ -34,14 +34,16 @@ Values with_overrides(Values options, const Values& overrides) {
   return options;
 }
 
-// Returns the default ids of a family or a solver, or, if `item` is neither a family nor a solver,
+constexpr std::string_view kAllMethods = "all";
+
+// Returns the default ids of a family, of a solver or, for the item `all`, of all solvers; otherwise
 // the item itself.
 std::vector<std::string> method_ids_of_item(const SolverRegistry& registry,
                                             const std::string& item) {
   std::vector<std::string> ids;
   for (const auto& solver : registry.solvers()) {
     for (const auto& family : solver.families) {
-      if (family.name != item && solver.name != item) continue;
+      if (family.name != item && solver.name != item && item != kAllMethods) continue;
       ids.insert(ids.end(), family.default_ids.begin(), family.default_ids.end());
     }
   }
@@ -113,6 +115,14 @@ std::optional<Method> SolverRegistry::find_method_by_id(std::string_view id,
   return std::nullopt;
 }
 
+std::string SolverRegistry::default_method_list() const {
+  std::vector<std::string> names;
+  for (const Solver& solver : solvers_) {
+    if (solver.in_default_runs) names.push_back(solver.name);
+  }
+  return fmt::format("{}", fmt::join(names, ","));
+}
+
 std::vector<Method> SolverRegistry::methods_selected_by_list(const std::string& list,
                                                              const Values& overrides) const {
   std::map<std::string, Method> methods;
@@ -179,7 +189,8 @@ std::string selectable_methods_text(const SolverRegistry& registry) {
       if (!family.default_ids.empty()) examples.push_back(family.default_ids.back());
     }
   }
-  return fmt::format("{}, or ids such as {}", fmt::join(names, ", "), fmt::join(examples, ", "));
+  return fmt::format("{}, {}, or ids such as {}", kAllMethods, fmt::join(names, ", "),
+                     fmt::join(examples, ", "));
 }
 
 SolverRegistry builtin_registry() {
@@ -187,6 +198,8 @@ SolverRegistry builtin_registry() {
   registry.add_solver(epc_solver());
   registry.add_solver(fd_solver());
   registry.add_solver(mcs_solver());
+  registry.add_solver(linearisation_solver());
+  registry.add_solver(averaging_solver());
   return registry;
 }
 

@@ -32,10 +32,14 @@ class SolverRegistry {
   /// @throws InputError if the options cannot be read or are invalid
   Method make_method(const Solver& solver, const base::Values& options) const;
 
+  /// Returns the comma-separated list of the solvers that a run includes without --methods.
+  std::string default_method_list() const;
+
   /// Returns the methods that a comma-separated list selects, by increasing trust and without
   /// repetitions. An item of the list of methods is the id of a method (epc-gaussian-n6, fd-km4,
   /// mcs), a family of methods (epc-gaussian) or a solver (epc). A family or a solver in the list
-  /// selects the default methods of the family or solver.
+  /// selects the default methods of the family or solver. The item
+  /// `all` selects the default methods of all solvers.
   /// @param overrides values of options, as in find_method_by_id()
   /// @throws InputError if an item of the list selects no method
   std::vector<Method> methods_selected_by_list(const std::string& list,

@@ -12,7 +12,6 @@ namespace {
 
 // Energies at which the density is below exp(-kDepth) times the largest density are neglected.
 constexpr double kDepth = 60;
-constexpr int kBandCount = 300;
 constexpr const char* kNoDissipation =
     "damping and impacts dissipate no energy at large amplitudes";
 // Maximum number of wells of a polynomial potential of degree 6 between two walls.
@@ -20,11 +19,11 @@ constexpr std::size_t kMaxBranches = 4;
 
 }  // namespace
 
-EnergyAveraging::EnergyAveraging(const Problem& problem) : orbits_(problem) {
+EnergyAveraging::EnergyAveraging(const Problem& problem, int band_count) : orbits_(problem) {
   assert(orbits_.is_confining());
   double low = 0, high = 0;
   if (!find_energy_range(low, high)) return;
-  compute_energy_bands(low, high);
+  compute_energy_bands(low, high, band_count);
   if (bands_.empty())
     reason_for_unconfined_motion_ = "the potential of the force has no resolved levels";
 }
@@ -90,13 +89,13 @@ bool EnergyAveraging::find_energy_range(double& low, double& high) {
   return false;
 }
 
-void EnergyAveraging::compute_energy_bands(double lowest, double highest) {
-  step_ = (highest - lowest) / kBandCount;
+void EnergyAveraging::compute_energy_bands(double lowest, double highest, int band_count) {
+  step_ = (highest - lowest) / band_count;
   // The energy bands are computed from the largest energy downwards, so that the parent of each
   // energy band in the tree is already known.
   std::vector<EnergyBand> from_top;
   std::size_t upper_begin = 0, upper_end = 0;
-  for (int n = kBandCount - 1; n >= 0; --n) {
+  for (int n = band_count - 1; n >= 0; --n) {
     const double energy = lowest + (n + 0.5) * step_;
     const std::size_t begin = from_top.size();
     for (const HalfCycle& half_cycle : orbits_.half_cycles(energy)) {

@@ -27,8 +27,9 @@ namespace fpkcheck::problem {
 /// on the energy alone.
 class EnergyAveraging {
  public:
+  /// @param band_count number of intervals of the energy, which have equal widths
   /// @pre the potential is confining: UndampedOrbits::is_confining()
-  explicit EnergyAveraging(const Problem& problem);
+  explicit EnergyAveraging(const Problem& problem, int band_count = 300);
 
   const UndampedOrbits& undamped_orbits() const { return orbits_; }
 
@@ -70,7 +71,7 @@ class EnergyAveraging {
   /// exceeds the minimum of Phi by at most kDepth.
   /// @return false if the motion is not confined
   bool find_energy_range(double& low, double& high);
-  void compute_energy_bands(double lowest, double highest);
+  void compute_energy_bands(double lowest, double highest, int band_count);
 
   UndampedOrbits orbits_;
   std::optional<std::string> reason_for_unconfined_motion_;

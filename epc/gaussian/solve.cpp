@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "epc/form/closure_density_storage.hpp"
 #include "epc/formulations.hpp"
 #include "epc/gaussian/density_support.hpp"
 #include "epc/gaussian/gaussian_weighted_basis.hpp"

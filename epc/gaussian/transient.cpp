@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "base/process/stopwatch.hpp"
-#include "epc/form/closure_density_storage.hpp"
 #include "epc/formulations.hpp"
 #include "epc/gaussian/density_support.hpp"
 #include "epc/gaussian/root_search.hpp"
 #include "epc/selection_policy.hpp"
 #include "numerics/ode/bdf_integrator.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
+#include "transform/smooth_density_results.hpp"
 
 namespace fpkcheck::epc::gaussian {
 namespace {
@@ -182,8 +182,9 @@ void add_snapshot(const problem::Problem& problem, const ExponentPolynomial& q,
       density_on_support(q, support, problem.system.left_wall().has_value());
   const auto marginals =
       transform::marginals_at_quadrature_points(density, density.y_max, density.v_max);
-  evolution.snapshots.push_back(
-      {.time = time, .density = density, .moments = physical_moments(problem.frame, marginals)});
+  evolution.snapshots.push_back({.time = time,
+                                 .density = density,
+                                 .moments = transform::physical_moments(problem.frame, marginals)});
   if (evolution.status != Status::ok) return;
   if (!(support.support_edge_to_peak_density_ratio() < kMaxSupportEdgeDensity)) {
     evolution.reason = fmt::format(

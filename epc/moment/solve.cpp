@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "epc/form/closure_density_storage.hpp"
 #include "epc/formulations.hpp"
 #include "epc/half_plane/root_assessment.hpp"
 #include "epc/half_plane/root_search.hpp"

@@ -1,13 +1,13 @@
 #include <cmath>
 
 #include "epc/amplitude/closure_formulation.hpp"
-#include "epc/form/closure_density_storage.hpp"
 #include "epc/formulations.hpp"
 #include "epc/half_plane/newton.hpp"
 #include "epc/half_plane/root_assessment.hpp"
 #include "epc/half_plane/root_search.hpp"
 #include "epc/half_plane/transient.hpp"
 #include "epc/polar/coordinates.hpp"
+#include "epc/summary.hpp"
 #include "problem/motion_scales.hpp"
 #include "transform/marginal_density.hpp"
 

@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "base/input_error.hpp"
+#include "numerics/statistics.hpp"
 
 namespace fpkcheck::problem {
 
@@ -25,7 +26,7 @@ double GaussianLaw::density(double y) const {
 }
 
 double GaussianLaw::cumulative_probability(double y) const {
-  return boost::math::cdf(boost::math::normal(mean, deviation), y);
+  return numerics::normal_probability((y - mean) / deviation);
 }
 
 double LaplaceLaw::standardised_amplitude_moment(int n) const {

@@ -233,12 +233,6 @@ void bind_methods(py::module_& module) {
 
 // -- runs
 
-std::string default_methods() {
-  std::string list;
-  for (const auto& solver : registry().solvers()) list += solver.name + ',';
-  return list;
-}
-
 void throw_on_signal() {
   if (PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
@@ -253,8 +247,8 @@ RunPointer solve_task(const std::vector<problem::Problem>& problems,
   RunRequest task{problems, {}, threads, bounds, command};
   auto settings = values_from_python(options);
   if (threads > 0) settings.push_back({"threads", std::int64_t{threads}});
-  task.methods =
-      methods_selected_by_list(registry(), methods_list.value_or(default_methods()), settings);
+  task.methods = methods_selected_by_list(
+      registry(), methods_list.value_or(registry().default_method_list()), settings);
   auto external_methods = against;
   methods::group_methods_into_families(external_methods);
   for (const auto& external : external_methods) {

@@ -1,4 +1,4 @@
-#include "epc/form/closure_density_storage.hpp"
+#include "transform/smooth_density_results.hpp"
 
 #include <cmath>
 #include <functional>
@@ -6,13 +6,13 @@
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "problem/balances.hpp"
 
-namespace fpkcheck::epc {
+namespace fpkcheck::transform {
 namespace {
 
 // Returns the moment int_{v>0} v^power p(b, v) dv of the density p at the right wall y = b, or 0
 // without a right wall.
-double right_wall_flux_moment(const problem::Problem& problem,
-                              const transform::SmoothDensity& density, int power) {
+double right_wall_flux_moment(const problem::Problem& problem, const SmoothDensity& density,
+                              int power) {
   if (!problem.system.right_wall()) return 0;
   constexpr int kPanels = 8;
   const double b = problem.system.right_wall()->position;
@@ -22,7 +22,7 @@ double right_wall_flux_moment(const problem::Problem& problem,
 
 // Returns int_{u>0} u weight(u) p(a, towards u) du at a wall y = a: the sum of `weight` as a
 // function of the impact speed u over the impacts per unit time.
-double impact_sum_per_time(const transform::SmoothDensity& density, double position, double towards,
+double impact_sum_per_time(const SmoothDensity& density, double position, double towards,
                            const std::function<double(double)>& weight) {
   constexpr int kPanels = 8;
   const auto integrand = [&](double u) {
@@ -39,16 +39,15 @@ struct WallEnergyAndMomentumTransfer {
 
 WallEnergyAndMomentumTransfer balance_terms_of_walls(const problem::Problem& problem,
                                                      problem::ImpactCondition impact,
-                                                     const transform::SmoothDensity& density) {
+                                                     const SmoothDensity& density) {
   const problem::System& system = problem.system;
   const auto &left = system.left_wall(), &right = system.right_wall();
   if (system.has_constant_restitution()) {
-    return {.left_loss = problem::impact_energy_loss_rate(
-                left, impact, transform::flux_into_left_wall(density, 3)),
+    return {.left_loss =
+                problem::impact_energy_loss_rate(left, impact, flux_into_left_wall(density, 3)),
             .right_loss = problem::impact_energy_loss_rate(
                 right, impact, right_wall_flux_moment(problem, density, 3)),
-            .left_momentum =
-                problem::impact_momentum_rate(left, transform::flux_into_left_wall(density, 2)),
+            .left_momentum = problem::impact_momentum_rate(left, flux_into_left_wall(density, 2)),
             .right_momentum =
                 problem::impact_momentum_rate(right, right_wall_flux_moment(problem, density, 2))};
   }
@@ -67,20 +66,19 @@ WallEnergyAndMomentumTransfer balance_terms_of_walls(const problem::Problem& pro
           .right_momentum = sum(right, 1, problem::momentum_change_at_impact)};
 }
 
-double mean_damping_power(const problem::System& system, const transform::SmoothDensity& density) {
+double mean_damping_power(const problem::System& system, const SmoothDensity& density) {
   if (!system.has_polynomial_force()) {
-    return transform::expectation(
-        density, [&](double y, double v) { return v * system.damping_force(y, v); });
+    return expectation(density, [&](double y, double v) { return v * system.damping_force(y, v); });
   }
-  return transform::expectation(density, [&](double y, double v) {
+  return expectation(density, [&](double y, double v) {
     return (system.damping_polynomial()(y) + system.rayleigh_coefficient() * v * v) * v * v;
   });
 }
 
 problem::PowerBalanceTerms power_balance_terms(const problem::Problem& problem,
                                                const WallEnergyAndMomentumTransfer& walls,
-                                               const transform::SmoothDensity& density,
-                                               const transform::Moments& moments) {
+                                               const SmoothDensity& density,
+                                               const Moments& moments) {
   const problem::System& system = problem.system;
   problem::PowerBalanceTerms terms{.mean_velocity = moments.v1,
                                    .mean_square_velocity = moments.v2,
@@ -90,17 +88,17 @@ problem::PowerBalanceTerms power_balance_terms(const problem::Problem& problem,
     terms.mean_damping_power = mean_damping_power(system, density);
   }
   if (problem.noise_factor) {
-    terms.mean_square_noise_factor = transform::expectation(density, [&](double y, double v) {
+    terms.mean_square_noise_factor = expectation(density, [&](double y, double v) {
       return problem.noise_factor->squared_noise_factor(y, v);
     });
   }
   return terms;
 }
 
-transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
-                                              const WallEnergyAndMomentumTransfer& walls,
-                                              const transform::SmoothDensity& density,
-                                              const transform::QuadratureMarginals& marginals) {
+BalanceResiduals balance_residuals(const problem::Problem& problem,
+                                   const WallEnergyAndMomentumTransfer& walls,
+                                   const SmoothDensity& density,
+                                   const QuadratureMarginals& marginals) {
   const problem::System& system = problem.system;
   problem::VirialBalanceTerms virial{.mean_displacement = marginals.moments.y1,
                                      .mean_square_velocity = marginals.moments.v2,
@@ -109,7 +107,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
   problem::MomentumBalanceTerms momentum{.mean_force = 0,
                                          .left_impact_momentum = walls.left_momentum,
                                          .right_impact_momentum = walls.right_momentum};
-  const auto mean = [&](const auto& g) { return transform::expectation(density, g); };
+  const auto mean = [&](const auto& g) { return expectation(density, g); };
   if (system.has_polynomial_force()) {
     const auto& force = system.restoring_force();
     virial.mean_virial = mean_of_displacement_polynomial(marginals, force.multiplied_by_argument());
@@ -122,7 +120,7 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
     virial.mean_virial = mean([&](double y, double v) { return y * system.force(y, v); });
     momentum.mean_force = mean([&](double y, double v) { return system.force(y, v); });
   }
-  transform::BalanceResiduals residuals{
+  BalanceResiduals residuals{
       .virial = problem::virial_balance(problem, virial).relative_balance_residual()};
   // Smallest scale of the momentum balance. Without impacts both sides of the momentum balance may
   // be 0, and the relative residual would be a rounding error.
@@ -136,9 +134,8 @@ transform::BalanceResiduals balance_residuals(const problem::Problem& problem,
 
 }  // namespace
 
-transform::Moments physical_moments(const problem::WallFrame& frame,
-                                    const transform::QuadratureMarginals& marginals) {
-  transform::Moments moments = marginals.moments;
+Moments physical_moments(const problem::WallFrame& frame, const QuadratureMarginals& marginals) {
+  Moments moments = marginals.moments;
   if (frame.is_identity()) return moments;
   const auto mean_of_power = [&](std::size_t n) {
     numerics::Polynomial::Coefficients power{};
@@ -153,23 +150,21 @@ transform::Moments physical_moments(const problem::WallFrame& frame,
   return moments;
 }
 
-transform::QuadratureMarginals store_density(const problem::Problem& problem,
-                                             problem::ImpactCondition impact,
-                                             const transform::SmoothDensity& density,
-                                             ClosureResult& result,
-                                             transform::QuadraturePanelSpacing panels) {
-  transform::QuadratureMarginals marginals =
-      transform::marginals_at_quadrature_points(density, density.y_max, density.v_max, panels);
-  auto& solution = result.solution;
+SmoothDensityResults store_smooth_density(const problem::Problem& problem,
+                                          problem::ImpactCondition impact,
+                                          const SmoothDensity& density, Solution& solution,
+                                          QuadraturePanelSpacing panels) {
+  SmoothDensityResults results{
+      .marginals = marginals_at_quadrature_points(density, density.y_max, density.v_max, panels),
+      .balances = {}};
   solution.density = density;
-  solution.mass = marginals.mass;
-  solution.moments = physical_moments(problem.frame, marginals);
+  solution.mass = results.marginals.mass;
+  solution.moments = physical_moments(problem.frame, results.marginals);
   const WallEnergyAndMomentumTransfer walls = balance_terms_of_walls(problem, impact, density);
   solution.energy_residual = problem::power_balance_residual(
-      problem, power_balance_terms(problem, walls, density, marginals.moments));
-  result.summary.moments = marginals.moments;
-  result.summary.balances = balance_residuals(problem, walls, density, marginals);
-  return marginals;
+      problem, power_balance_terms(problem, walls, density, results.marginals.moments));
+  results.balances = balance_residuals(problem, walls, density, results.marginals);
+  return results;
 }
 
-}  // namespace fpkcheck::epc
+}  // namespace fpkcheck::transform
