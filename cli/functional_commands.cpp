@@ -44,16 +44,18 @@ examples:
 )";
 
 constexpr const char* kPassageUsage =
-    R"(usage: fpkcheck passage CASE --displacement B | --energy H [options]
+    R"(usage: fpkcheck passage CASE --displacement B | --displacement A,B | --energy H [options]
 
-First passage of the displacement y above a barrier B, or of the energy y'^2/2 + U(y) above a level
-H, with the potential U of the force, U(0) = 0: probability of survival over time, mean time from
-rest (or from --start) and from the stationary law below the barrier, hazard (rate of passages in
-the limit of long times). Finite volumes solve the backward equation below the barrier on three or
-more grids, whose differences give the error. The method characteristics, for displacements without
-noise, computes the same quantities to more digits, along the motion between impulses. The
-simulation measures the stays below the barrier and states standard errors. The column rice is the
-usual approximation by independent upward crossings of a displacement at Rice's rate.
+First passage of the displacement y above a barrier B, first exit of y from an interval (A, B), or
+first passage of the energy y'^2/2 + U(y) above a level H, with the potential U of the force, U(0) =
+0: probability of survival over time, mean time from rest (or from --start) and from the stationary
+law below the barrier, hazard (rate of passages in the limit of long times). For an interval also
+the probability that y leaves at B. Finite volumes or finite differences (fd) solve the backward
+equation below the barrier on three or more grids, whose differences give the error. The method
+characteristics, for displacements without noise, computes the same quantities to more digits, along
+the motion between impulses. The simulation measures the stays below the barrier and states standard
+errors. The column rice is the usual approximation by independent upward crossings of a displacement
+at Rice's rate.
 Exit code 0 when the estimated errors are below --accuracy: relative errors, and absolute errors of
 survival probabilities.
 
@@ -61,6 +63,7 @@ examples:
   fpkcheck passage case1 --displacement 1.5
   fpkcheck passage case1 --displacement 2 --times 100,1000,10000 --methods fd-kf,fd-white
   fpkcheck passage case1 --displacement 1.5 --start 0.5,-1
+  fpkcheck passage bistable --displacement -1.5,0
   fpkcheck passage case1 --energy 1
   fpkcheck passage case1 --displacement 2 --methods fd,characteristics,mcs --accuracy 1e-3
   fpkcheck passage bistable --displacement 1 --out results

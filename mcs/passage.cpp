@@ -195,8 +195,27 @@ class EnergyCrossingDetector {
   double last_time_ = 0;
 };
 
-// A barrier in wall coordinates: a displacement or an energy level.
-using PassageLevel = std::variant<double, EnergyLevelForPassage>;
+// Barriers of the displacement in wall coordinates: y = centre + half_width and, with two barriers,
+// y = centre - half_width. With one barrier the centre is 0.
+struct DisplacementBarriers {
+  double half_width;
+  double centre = 0;
+  bool are_two = false;
+
+  // Returns the function of y whose upcrossings of `half_width` are the passages.
+  double distance(double y) const { return are_two ? std::abs(y - centre) : y; }
+};
+
+DisplacementBarriers displacement_barriers(const problem::WallFrame& frame,
+                                           const transform::PassageBarrier& barrier) {
+  const double upper = frame.wall_coordinate(barrier.level);
+  if (!barrier.lower_level) return {.half_width = upper};
+  const double lower = frame.wall_coordinate(*barrier.lower_level);
+  return {.half_width = (upper - lower) / 2, .centre = (upper + lower) / 2, .are_two = true};
+}
+
+// A barrier in wall coordinates: displacements or an energy level.
+using PassageLevel = std::variant<DisplacementBarriers, EnergyLevelForPassage>;
 
 // Finds the crossings of a barrier in the rounds of one stream.
 class TrajectoryBarrierCrossings {
@@ -204,7 +223,9 @@ class TrajectoryBarrierCrossings {
   /// @param starts_below whether the stream starts below the barrier
   TrajectoryBarrierCrossings(const PassageLevel& level, const SimulationPlan& plan,
                              bool starts_below)
-      : detector_(make_detector(level, plan, starts_below)) {}
+      : detector_(make_detector(level, plan, starts_below)) {
+    if (const auto* barriers = std::get_if<DisplacementBarriers>(&level)) barriers_ = *barriers;
+  }
 
   /// Calls `on_upcrossing` and `on_downcrossing` with the times of the crossings in a round, and
   /// removes the records of the round.
@@ -214,7 +235,15 @@ class TrajectoryBarrierCrossings {
     std::vector<double>& series = simulation.displacement_series(stream);
     std::vector<RecordedState>& states = simulation.recorded_states(stream);
     if (auto* displacement = std::get_if<LevelCrossingDetector>(&detector_)) {
-      for (const double y : series) displacement->add_sample(y, on_upcrossing, on_downcrossing);
+      for (const double y : series) {
+        displacement->add_sample(
+            barriers_.distance(y),
+            [&](double time) {
+              last_passage_is_upper_ = y > barriers_.centre;
+              on_upcrossing(time);
+            },
+            on_downcrossing);
+      }
     } else {
       std::get<EnergyCrossingDetector>(detector_).add_round(states, on_upcrossing, on_downcrossing);
     }
@@ -228,6 +257,8 @@ class TrajectoryBarrierCrossings {
   double elapsed_time() const {
     return std::visit([](const auto& detector) { return detector.elapsed_time(); }, detector_);
   }
+  /// Returns whether the last upcrossing was a passage of the upper displacement barrier.
+  bool last_passage_is_upper() const { return last_passage_is_upper_; }
   /// Returns the time below an energy level; empty for a displacement.
   std::optional<double> time_below_energy() const {
     const auto* energy = std::get_if<EnergyCrossingDetector>(&detector_);
@@ -242,16 +273,20 @@ class TrajectoryBarrierCrossings {
       return EnergyCrossingDetector(*energy, plan.simulated_time_per_round(),
                                     plan.sampling_interval, starts_below);
     }
-    return LevelCrossingDetector(std::get<double>(level), plan.sampling_interval, starts_below);
+    return LevelCrossingDetector(std::get<DisplacementBarriers>(level).half_width,
+                                 plan.sampling_interval, starts_below);
   }
 
   Detector detector_;
+  DisplacementBarriers barriers_ = {};
+  bool last_passage_is_upper_ = false;
 };
 
 // Sums over the stays of one stream below the barrier. A stay lasts from a downcrossing to the next
 // upcrossing; l is the length of a stay.
 struct BelowBarrierSojournSums {
   double stays = 0, length = 0, square = 0;
+  double length_to_upper = 0;         // length of the stays that end at the upper of two barriers
   std::vector<double> excess;         // sums of (l - t)^+, one for each time t of the survival
   double long_stays = 0, longer = 0;  // number of stays l > t, and sum of (l - t)^+, t: hazard time
   double below = 0, whole = 0, crossings = 0;  // time below the barrier, whole time, upcrossings
@@ -286,18 +321,34 @@ double most_samples_per_round(const SimulationPlan& plan) {
   return kMostRecords / (1 + plan.expected_event_rate * plan.sampling_interval);
 }
 
+// Returns the least distance from a displacement barrier to the wall beyond the barrier; empty
+// without such a wall.
+std::optional<double> distance_to_wall(const problem::Problem& transformed,
+                                       const transform::PassageBarrier& barrier) {
+  std::optional<double> distance;
+  if (barrier.is_energy()) return distance;
+  if (const auto& right = transformed.system.right_wall()) {
+    distance = right->position - transformed.frame.wall_coordinate(barrier.level);
+  }
+  if (const auto& left = transformed.system.left_wall(); left && barrier.lower_level) {
+    const double below = transformed.frame.wall_coordinate(*barrier.lower_level) - left->position;
+    distance = std::min(distance.value_or(below), below);
+  }
+  return distance;
+}
+
+// @param distance_to_wall distance from a barrier to the wall beyond the barrier; may be empty
 SimulationPlan make_passage_plan(const problem::Problem& problem, const SimulationOptions& options,
                                  const problem::MotionScales& scales,
-                                 const std::optional<double>& displacement_barrier) {
+                                 const std::optional<double>& distance_to_wall) {
   SimulationPlan plan = make_simulation_plan(problem, options);
   const double period = 2 * std::numbers::pi / scales.frequency;
   plan.sampling_interval = period / kSamplesPerPeriod;
-  // An excursion above the barrier that hits the right wall may be shorter than the sampling
-  // interval, and has a kink, which the parabola of LevelCrossingDetector does not follow.
+  // An excursion beyond a barrier that hits the wall may be shorter than the sampling interval, and
+  // has a kink, which the parabola of LevelCrossingDetector does not follow.
   constexpr double kSamplesToWall = 8;
-  if (const auto& right = problem.system.right_wall(); right && displacement_barrier) {
-    const double time_to_wall =
-        (right->position - *displacement_barrier) / scales.velocity_deviation;
+  if (distance_to_wall) {
+    const double time_to_wall = *distance_to_wall / scales.velocity_deviation;
     plan.sampling_interval = std::min(plan.sampling_interval, time_to_wall / kSamplesToWall);
   }
   const double most_samples = kMostPeriods * kSamplesPerPeriod;
@@ -353,6 +404,7 @@ class BelowBarrierSojournCounter {
     ++sums_.stays;
     sums_.length += stay;
     sums_.square += stay * stay;
+    if (crossings_.last_passage_is_upper()) sums_.length_to_upper += stay;
     for (std::size_t k = 0; k < times_.size(); ++k) {
       sums_.excess[k] += std::max(0.0, stay - times_[k]);
     }
@@ -430,18 +482,25 @@ std::optional<std::vector<BelowBarrierSojournSums>> simulate_stays(
 // Simulates passages from a state in wall coordinates, to which each stream returns in the round
 // after a passage. Every stream makes the same number of passages, since a limit of the simulated
 // time would favour short passages.
-std::optional<ValueWithError> simulate_passages_from_point(
-    Simulation& simulation, const PassageLevel& level, const transform::PassageStartState& start,
-    double mean, double most_time, const std::vector<double>& times,
-    std::vector<ValueWithError>& survival, const SimulationOptions& options) {
+// Sets the values of `result` for the start from a point; the mean time is absent if the passages
+// take too long.
+void simulate_passages_from_point(Simulation& simulation, const PassageLevel& level,
+                                  const transform::PassageStartState& start, double mean,
+                                  double most_time, const std::vector<double>& times,
+                                  const SimulationOptions& options,
+                                  transform::FirstPassageResult& result) {
   constexpr double kMostPassages = 5e3, kFewestPerStream = 4;
   const SimulationPlan& plan = simulation.plan_of_simulation();
   const auto streams = static_cast<std::size_t>(plan.streams);
   const double per_stream =
       std::floor(std::min(kMostPassages, most_time / mean) / static_cast<double>(streams));
-  if (per_stream < kFewestPerStream) return std::nullopt;
+  if (per_stream < kFewestPerStream) return;
   const auto passages = static_cast<std::size_t>(per_stream);
-  std::vector<std::vector<double>> found(streams);
+  struct Passage {
+    double time;
+    bool is_upper;  // whether the passage is that of the upper of two barriers
+  };
+  std::vector<std::vector<Passage>> found(streams);
   const TrajectoryBarrierCrossings at_start(level, plan, true);
   std::vector<TrajectoryBarrierCrossings> crossings(streams, at_start);
   for (std::size_t s = 0; s < streams; ++s)
@@ -452,18 +511,19 @@ std::optional<ValueWithError> simulate_passages_from_point(
       kMostRepetitions * most_time / static_cast<double>(streams) / plan.simulated_time_per_round();
   double rounds = 0;
   // The first sample is half an interval after the start.
-  const double offset = std::holds_alternative<double>(level) ? plan.sampling_interval / 2 : 0;
+  const double offset =
+      std::holds_alternative<DisplacementBarriers>(level) ? plan.sampling_interval / 2 : 0;
   for (std::size_t finished = 0; finished < streams;) {
-    if (++rounds > most_rounds) {
-      survival.clear();
-      return std::nullopt;
-    }
+    if (++rounds > most_rounds) return;
     simulation.simulate_and_sample_one_round();
     finished = 0;
     for (std::size_t s = 0; s < streams; ++s) {
-      std::optional<double> passage;
+      std::optional<Passage> passage;
       crossings[s].add_round(
-          simulation, s, [&](double time) { passage = passage.value_or(time + offset); },
+          simulation, s,
+          [&](double time) {
+            if (!passage) passage = {time + offset, crossings[s].last_passage_is_upper()};
+          },
           [](double) {});
       if (passage) {
         if (found[s].size() < passages) found[s].push_back(*passage);
@@ -476,30 +536,41 @@ std::optional<ValueWithError> simulate_passages_from_point(
       options.progress({0.5 + 0.5 * static_cast<double>(finished) / static_cast<double>(streams)});
     }
   }
-  // Returns the mean of f(passage time) over all passages, with the standard error of the mean.
-  const auto mean_of = [&](const std::function<double(double)>& f) -> ValueWithError {
+  // Returns the mean of f(passage) over all passages, with the standard error of the mean.
+  const auto mean_of = [&](const std::function<double(const Passage&)>& f) -> ValueWithError {
     double sum = 0, square = 0;
     const double n = static_cast<double>(streams) * per_stream;
     for (const auto& of_stream : found) {
-      for (const double time : of_stream) {
-        sum += f(time);
-        square += f(time) * f(time);
+      for (const Passage& passage : of_stream) {
+        sum += f(passage);
+        square += f(passage) * f(passage);
       }
     }
     return {sum / n, std::sqrt(std::max(0.0, square / n - sum / n * (sum / n)) / (n - 1))};
   };
   for (const double t : times) {
-    survival.push_back(mean_of([t](double time) { return time > t ? 1.0 : 0.0; }));
+    result.survival_from_point.push_back(
+        mean_of([t](const Passage& passage) { return passage.time > t ? 1.0 : 0.0; }));
   }
-  return mean_of([](double time) { return time; });
+  result.mean_from_point = mean_of([](const Passage& passage) { return passage.time; });
+  const auto* barriers = std::get_if<DisplacementBarriers>(&level);
+  if (barriers != nullptr && barriers->are_two) {
+    result.upper_exit_from_point =
+        mean_of([](const Passage& passage) { return passage.is_upper ? 1.0 : 0.0; });
+  }
 }
 
 // Returns why the simulation does not treat a barrier; empty if it does.
 std::string unsupported_barrier_reason(const problem::Problem& transformed,
                                        const transform::PassageBarrier& barrier) {
   if (!barrier.is_energy()) {
-    return problem::barrier_unsupported_reason(transformed,
-                                               transformed.frame.wall_coordinate(barrier.level));
+    std::string reason = problem::barrier_unsupported_reason(
+        transformed, transformed.frame.wall_coordinate(barrier.level));
+    if (reason.empty() && barrier.lower_level) {
+      reason = problem::barrier_unsupported_reason(
+          transformed, transformed.frame.wall_coordinate(*barrier.lower_level));
+    }
+    return reason;
   }
   return transformed.noise_factor
              ? "an energy barrier does not support noise.factor; use --displacement"
@@ -541,11 +612,11 @@ transform::FirstPassageResult estimate_passage(const problem::Problem& problem,
   const problem::MotionScales scales = problem::motion_scales(transformed);
   const bool is_energy = barrier.is_energy();
   const double displacement = transformed.frame.wall_coordinate(barrier.level);
-  const SimulationPlan plan = make_passage_plan(
-      transformed, options, scales, is_energy ? std::nullopt : std::optional(displacement));
+  const SimulationPlan plan =
+      make_passage_plan(transformed, options, scales, distance_to_wall(transformed, barrier));
   const PassageLevel level = is_energy
                                  ? energy_passage_level(transformed, plan, scales, barrier.level)
-                                 : PassageLevel(displacement);
+                                 : PassageLevel(displacement_barriers(transformed.frame, barrier));
   const auto enable_records = [&](Simulation& simulation) {
     is_energy ? simulation.enable_state_recording() : simulation.enable_displacement_recording();
   };
@@ -586,14 +657,21 @@ transform::FirstPassageResult estimate_passage(const problem::Problem& problem,
   }
   passage.probability_below = ratio_of_sums(
       sums, [](const BelowBarrierSojournSums& s) { return s.below; }, whole);
+  if (barrier.lower_level) {
+    passage.upper_exit_from_stationary = ratio_of_sums(
+        sums, [](const BelowBarrierSojournSums& s) { return s.length_to_upper; }, length);
+  }
   passage.times = times;
   for (std::size_t k = 0; k < times.size(); ++k) {
     passage.survival_from_stationary.push_back(ratio_of_sums(
         sums, [k](const BelowBarrierSojournSums& s) { return s.excess[k]; }, length));
   }
 
+  std::optional<double> lower;
+  if (barrier.lower_level) lower = transformed.frame.wall_coordinate(*barrier.lower_level);
   start = transform::passage_start_state(
-      transformed, is_energy ? std::numeric_limits<double>::infinity() : displacement, start);
+      transformed, is_energy ? std::numeric_limits<double>::infinity() : displacement, start,
+      lower);
   if (start && is_energy && !is_below(*start, std::get<EnergyLevelForPassage>(level)))
     start.reset();
   if (start) {
@@ -603,9 +681,8 @@ transform::FirstPassageResult estimate_passage(const problem::Problem& problem,
         std::ceil(std::min(mean / 10 / plan.sampling_interval, most_samples_per_round(plan))));
     Simulation restarted(transformed, from_point);
     enable_records(restarted);
-    passage.mean_from_point = simulate_passages_from_point(restarted, level, *start, mean,
-                                                           sums.front().whole * plan.streams, times,
-                                                           passage.survival_from_point, options);
+    simulate_passages_from_point(restarted, level, *start, mean, sums.front().whole * plan.streams,
+                                 times, options, passage);
   }
   passage.details = fmt::format("{:.0f} stays below the barrier", stays);
   passage.reason = short_burn_in_reason(plan, options);

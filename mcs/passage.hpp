@@ -9,7 +9,8 @@
 
 namespace fpkcheck::mcs {
 
-/// Estimates the first passage above a barrier. For a stationary start, one long simulation
+/// Estimates the first passage above a barrier, or out of the interval between two barriers of the
+/// displacement. For a stationary start, one long simulation
 /// measures the lengths l of the stays below the barrier, at the upcrossing rate nu:
 ///
 ///     E tau = E[l^2] / (2 E[l]),   P(tau > t) = E[(l - t)^+] / E[l],   E[l] = P(below) / nu,

@@ -6,15 +6,17 @@
 
 namespace fpkcheck::transform {
 
-std::optional<PassageStartState> passage_start_state(
-    const problem::Problem& transformed, double barrier,
-    const std::optional<PassageStartState>& given) {
+std::optional<PassageStartState> passage_start_state(const problem::Problem& transformed,
+                                                     double barrier,
+                                                     const std::optional<PassageStartState>& given,
+                                                     const std::optional<double>& lower_barrier) {
   if (given) {
     return PassageStartState{transformed.frame.wall_coordinate(given->y),
                              transformed.frame.physical_velocity(given->ydot)};
   }
   const auto rest = problem::rest_displacement(transformed, barrier);
-  return rest ? std::optional(PassageStartState{*rest, 0}) : std::nullopt;
+  if (!rest || (lower_barrier && *rest <= *lower_barrier)) return std::nullopt;
+  return PassageStartState{*rest, 0};
 }
 
 double energy_level_in_wall_coordinates(const problem::Problem& transformed, double energy) {

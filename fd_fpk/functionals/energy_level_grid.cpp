@@ -204,25 +204,10 @@ void EnergyLevelGrid::add_eta_derivative(int i, int j, int order, double weight,
 
 // Adds lambda (E[T(y, v + Y)] - T), where impulses to the level or above contribute 0.
 void EnergyLevelGrid::add_impulses(int i, int j, Entries& entries) const {
-  const problem::ImpulseLaw& law = *excitation_.law;
   const double rate = excitation_.impulse_rate, v = velocity(i, j);
-  const auto pieces = law.amplitude_density_breakpoints();
-  for (std::size_t piece = 0; piece + 1 < pieces.size(); ++piece) {
-    const double from = std::max(pieces[piece], -w_[i] - v),
-                 to = std::min(pieces[piece + 1], w_[i] - v);
-    if (from >= to) continue;
-    const int panels =
-        static_cast<int>(std::ceil((to - from) / law.amplitude_standard_deviation()));
-    for (const auto& [amplitude, weight] : numerics::composite_gauss_points<8>(from, to, panels)) {
-      add_interpolated_value(i, (v + amplitude) / w_[i], rate * weight * law.density(amplitude),
-                             entries);
-    }
-  }
-  for (const auto& [amplitude, probability] : law.amplitude_atoms()) {
-    const double after = v + amplitude;
-    if (std::abs(after) < w_[i])
-      add_interpolated_value(i, after / w_[i], rate * probability, entries);
-  }
+  excitation_.for_each_amplitude(-w_[i] - v, w_[i] - v, [&](double amplitude, double weight) {
+    add_interpolated_value(i, (v + amplitude) / w_[i], rate * weight, entries);
+  });
   entries.emplace_back(grid_node_index(i, j), -rate);
 }
 
@@ -318,25 +303,14 @@ Eigen::VectorXd EnergyLevelGrid::interpolation_weights_at_state(double y, double
 }
 
 Eigen::VectorXd EnergyLevelGrid::mean_after_impulse_weights(double y) const {
-  const problem::ImpulseLaw& law = *excitation_.law;
   const double speed = speed_on_level(y);
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(size());
-  const auto pieces = law.amplitude_density_breakpoints();
-  for (std::size_t piece = 0; piece + 1 < pieces.size(); ++piece) {
-    // On a wall the slope of the mean time jumps at v = 0.
-    for (const auto& [low, high] : {std::pair(-speed, 0.0), std::pair(0.0, speed)}) {
-      const double from = std::max(pieces[piece], low), to = std::min(pieces[piece + 1], high);
-      if (from >= to) continue;
-      const int panels =
-          static_cast<int>(std::ceil((to - from) / law.amplitude_standard_deviation()));
-      for (const auto& [v, weight] : numerics::composite_gauss_points<8>(from, to, panels)) {
-        weights += weight * law.density(v) * interpolation_weights_at_state(y, v);
-      }
-    }
-  }
-  for (const auto& [v, probability] : law.amplitude_atoms()) {
-    if (std::abs(v) < speed) weights += probability * interpolation_weights_at_state(y, v);
-  }
+  const auto add = [&](double v, double weight) {
+    weights += weight * interpolation_weights_at_state(y, v);
+  };
+  // On a wall the slope of the mean time jumps at v = 0.
+  excitation_.for_each_amplitude(-speed, 0, add);
+  excitation_.for_each_amplitude(0, speed, add);
   return weights;
 }
 

@@ -5,19 +5,12 @@
 #include <utility>
 #include <vector>
 
+#include "fd_fpk/functionals/backward_excitation.hpp"
 #include "fd_fpk/operator/fokker_planck_operator.hpp"
 #include "problem/effective_potential.hpp"
 #include "problem/undamped_orbits.hpp"
 
 namespace fpkcheck::fd_fpk {
-
-/// Terms of the backward equation besides the motion: a drift and a diffusion of v, and impulses.
-struct BackwardEquationExcitation {
-  double drift = 0;
-  double diffusion = 0;
-  double impulse_rate = 0;  ///< 0 without impulses
-  const problem::ImpulseLaw* law = nullptr;
-};
 
 /// Finite differences of the backward equation on the states below an energy level H,
 ///

@@ -7,16 +7,15 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include "fd_fpk/applicability.hpp"
+#include "fd_fpk/functionals/density_interpolation.hpp"
 #include "fd_fpk/functionals/energy_level_grid.hpp"
 #include "fd_fpk/functionals/passage_values.hpp"
 #include "fd_fpk/selection_policy.hpp"
 #include "fd_fpk/stationary/direct_solution.hpp"
 #include "fd_fpk/stationary/error_estimate.hpp"
-#include "numerics/chebyshev_interpolation.hpp"
 #include "problem/motion_scales.hpp"
 #include "problem/problem_features.hpp"
 
@@ -37,74 +36,6 @@ struct EnergyPassageProblem {
   std::optional<transform::PassageStartState> start;
   double waiting_rate;  // as PassageInitialConditions::waiting_rate
 };
-
-// Point values of a density from its cell averages, as derivatives of the cumulative distribution.
-class DensityInterpolation {
- public:
-  DensityInterpolation(const PhasePlaneGrid& grid, const Eigen::VectorXd& averages) : grid_(grid) {
-    const Eigen::Map<const Eigen::MatrixXd> p(averages.data(), grid.v_cell_count(), grid.nx());
-    cumulative_ = Eigen::MatrixXd::Zero(grid.v_cell_count() + 1, grid.nx() + 1);
-    for (int i = 0; i < grid.nx(); ++i) {
-      for (int j = 0; j < grid.v_cell_count(); ++j) {
-        const double mass = p(j, i) * grid.x1.cell_width(i) * grid.x2.cell_width(j);
-        cumulative_(j + 1, i + 1) =
-            cumulative_(j, i + 1) + cumulative_(j + 1, i) - cumulative_(j, i) + mass;
-      }
-    }
-  }
-
-  /// Returns the density at a point; 0 outside the grid.
-  double operator()(double y, double v) const {
-    const auto of_y = derivative_weights(grid_.x1.faces(), y),
-               of_v = derivative_weights(grid_.x2.faces(), v);
-    if (of_y.weights.empty() || of_v.weights.empty()) return 0;
-    double density = 0;
-    for (std::size_t a = 0; a < of_y.weights.size(); ++a) {
-      for (std::size_t b = 0; b < of_v.weights.size(); ++b) {
-        density += of_y.weights[a] * of_v.weights[b] *
-                   cumulative_(of_v.first + static_cast<Eigen::Index>(b),
-                               of_y.first + static_cast<Eigen::Index>(a));
-      }
-    }
-    return density;
-  }
-
- private:
-  struct FaceWeights {
-    Eigen::Index first = 0;
-    std::vector<double> weights = {};
-  };
-  static FaceWeights derivative_weights(std::span<const double> faces, double x) {
-    constexpr std::ptrdiff_t kFaces = 6;
-    if (x < faces.front() || x > faces.back()) return {};
-    const auto size = static_cast<std::ptrdiff_t>(faces.size());
-    const std::ptrdiff_t first =
-        std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(faces, x) - faces.begin() - kFaces / 2,
-                                   0, std::max<std::ptrdiff_t>(0, size - kFaces));
-    const auto near = faces.subspan(static_cast<std::size_t>(first),
-                                    static_cast<std::size_t>(std::min(size, kFaces)));
-    return {first, numerics::lagrange_derivative_weights(near, x, 1)};
-  }
-
-  const PhasePlaneGrid& grid_;
-  Eigen::MatrixXd cumulative_;  // at the faces, shape (nv + 1, nx + 1)
-};
-
-// Returns the excitation of the backward equation.
-BackwardEquationExcitation backward_excitation(const problem::Problem& problem,
-                                               const FiniteVolumeOptions& options) {
-  BackwardEquationExcitation excitation{.diffusion = problem.noise.diffusion()};
-  if (!problem.impulses.is_acting()) return excitation;
-  if (options.equation == DensityEquation::white) {
-    const DiscretisedExcitation white = white_noise_excitation(problem.impulses);
-    excitation.drift = white.drift;
-    excitation.diffusion += white.diffusion;
-  } else {
-    excitation.impulse_rate = problem.impulses.arrival_rate();
-    excitation.law = &problem.impulses.amplitude_law();
-  }
-  return excitation;
-}
 
 // Returns why finite differences below an energy level do not treat a problem; empty if they do.
 std::string energy_passage_unsupported_reason(const problem::Problem& problem,
@@ -220,7 +151,8 @@ PassageResultOnGrid energy_passage_on_grid(const EnergyPassageProblem& passage, 
   const ShiftedLinearSystem system(op, nullptr, level.nv, kDefaultOrder,
                                    survival_resolvent_shift(passage.scales_and_box.scales));
   ReducedResolvent model(system, op.areas);
-  Eigen::VectorXd values = compute_passage_values(model, starts, times, deadline, level.failure);
+  Eigen::VectorXd values = compute_passage_values(model, starts, times, passage.options.accuracy,
+                                                  deadline, level.failure);
   if (values.size() == 0) return result;
   values(kProbabilityBelow) = probability;
   level.values = values;
@@ -270,7 +202,8 @@ transform::FirstPassageResult solve_energy_passage(
   const problem::EffectivePotential potential(transformed.system);
   if (start && start->ydot * start->ydot / 2 + potential(start->y) >= level) start.reset();
   const bool is_at_rest = start && rest && start->y == *rest && start->ydot == 0;
-  const BackwardEquationExcitation excitation = backward_excitation(transformed, options);
+  const BackwardEquationExcitation excitation =
+      BackwardEquationExcitation::of_equation(transformed, options.equation);
   const bool waits = excitation.diffusion == 0 && is_at_rest;
   const EnergyPassageProblem below{.problem = transformed,
                                    .options = with_order,

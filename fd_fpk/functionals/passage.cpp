@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "fd_fpk/applicability.hpp"
+#include "fd_fpk/functionals/barrier_passage.hpp"
 #include "fd_fpk/functionals/passage_values.hpp"
 #include "fd_fpk/linear/null_vector_and_eigenvalues.hpp"
 #include "fd_fpk/operator/marginals_and_moments.hpp"
@@ -25,28 +26,14 @@ namespace {
 
 using transform::Status;
 
-// Data of a first-passage problem.
-struct FirstPassageProblem {
-  const problem::Problem& problem;
-  const FiniteVolumeOptions& options;
-  const problem::MotionScales& scales;
-  double barrier;
-  std::optional<transform::PassageStartState>
-      start;  // initial state, in wall coordinates; may be empty
-  /// Rate of the impulses that end the rest of an initial state at rest; 0 if noise ends the rest,
-  /// or if the initial state moves
-  double waiting_rate;
-  PhasePlaneBox box;  // box of the stationary density, whose right end is beyond the barrier
-};
-
 // Returns the cells below the barrier, and the cells of the stationary density: the same cells,
 // continued beyond the barrier.
 struct GridsBelowAndBeyondBarrier {
   PhasePlaneGrid below, whole;
 };
-std::optional<GridsBelowAndBeyondBarrier> make_passage_grids(const FirstPassageProblem& passage,
-                                                             const FiniteVolumeOptions& options,
-                                                             std::string& failure) {
+std::optional<GridsBelowAndBeyondBarrier> make_passage_grids(
+    const DisplacementPassageProblem& passage, const FiniteVolumeOptions& options,
+    std::string& failure) {
   PhasePlaneBox box = passage.box;
   box.x1_max = passage.barrier;
   FiniteVolumeOptions to_barrier = options;
@@ -98,7 +85,7 @@ Eigen::RowVectorXd point_value_weights(const GridAxis& axis, int order, double x
 // Returns the weights of the velocity cells in the mean of a function of the velocity right after
 // the first impulse on a mass at rest. A wall at the position of the mass reflects the velocity of
 // impulses towards the wall.
-Eigen::RowVectorXd mean_after_first_impulse_weights(const FirstPassageProblem& passage,
+Eigen::RowVectorXd mean_after_first_impulse_weights(const DisplacementPassageProblem& passage,
                                                     const GridAxis& x2, int order) {
   constexpr int kParts = 8;  // number of parts of a cell; the centre of each part has a value
   std::vector<double> centres;
@@ -137,7 +124,7 @@ Eigen::RowVectorXd mean_after_first_impulse_weights(const FirstPassageProblem& p
 // Returns the functional of cell averages that evaluates the survival probability or the mean
 // passage time at the initial state. From rest under impulses, the functional evaluates the mean
 // over the states after the first impulse.
-Eigen::VectorXd start_value_functional(const FirstPassageProblem& passage,
+Eigen::VectorXd start_value_functional(const DisplacementPassageProblem& passage,
                                        const PhasePlaneGrid& grid, int order) {
   const Eigen::RowVectorXd of_x1 = point_value_weights(grid.x1, order, passage.start->y);
   const Eigen::RowVectorXd of_x2 = passage.waiting_rate > 0
@@ -149,7 +136,7 @@ Eigen::VectorXd start_value_functional(const FirstPassageProblem& passage,
 
 // Returns the mean times from the starts in all cells below the barrier, in physical coordinates.
 // @pre the wall frame is not mirrored
-transform::MeanPassageTimeMap mean_time_map(const FirstPassageProblem& passage,
+transform::MeanPassageTimeMap mean_time_map(const DisplacementPassageProblem& passage,
                                             const PhasePlaneGrid& below,
                                             const ReducedResolvent& model) {
   const problem::WallFrame& frame = passage.problem.frame;
@@ -163,9 +150,11 @@ transform::MeanPassageTimeMap mean_time_map(const FirstPassageProblem& passage,
   return map;
 }
 
-PassageResultOnGrid passage_on_grid(const FirstPassageProblem& passage, double refinement,
-                                    const std::vector<double>& times, double shift,
-                                    const base::Deadline& deadline) {
+// Returns the values by the transposed matrix of finite volumes.
+PassageResultOnGrid finite_volume_passage_on_grid(const DisplacementPassageProblem& passage,
+                                                  double refinement,
+                                                  const std::vector<double>& times, double shift,
+                                                  const base::Deadline& deadline) {
   const problem::Problem& problem = passage.problem;
   const FiniteVolumeOptions options = with_refined_cells(passage.options, refinement);
   const int order = transport_order(options);
@@ -214,7 +203,8 @@ PassageResultOnGrid passage_on_grid(const FirstPassageProblem& passage, double r
   if (passage.start) {
     starts.from_point = start_value_functional(passage, below, order).cwiseQuotient(areas);
   }
-  Eigen::VectorXd last = compute_passage_values(model, starts, times, deadline, level.failure);
+  Eigen::VectorXd last = compute_passage_values(model, starts, times, passage.options.accuracy,
+                                                deadline, level.failure);
   if (last.size() == 0) return result;
   // Rice's rate is the flux of the stationary density through the barrier.
   last(kRiceRate) = wall_speed_moment(below, p, order, 1, AxisEnd::right);
@@ -224,11 +214,12 @@ PassageResultOnGrid passage_on_grid(const FirstPassageProblem& passage, double r
   return result;
 }
 
-// Returns the box of the stationary density, enlarged for motion that reaches the barrier or that
+// Returns the box of the stationary density, enlarged for motion that reaches a barrier or that
 // starts at the initial state. Motion that leaves the wall at the speed w has hit the wall at the
 // speed w/r.
 PhasePlaneBox passage_box(const problem::Problem& problem, const problem::MotionScales& scales,
                           const FiniteVolumeOptions& options, double barrier,
+                          const std::optional<double>& lower_barrier,
                           const std::optional<transform::PassageStartState>& start,
                           const base::Deadline& deadline) {
   constexpr double kImpulseDeviations = 5.5;
@@ -242,6 +233,7 @@ PhasePlaneBox passage_box(const problem::Problem& problem, const problem::Motion
     if (y < barrier && potential(y) < potential(lowest)) lowest = y;
   }
   double energy = std::max(0.0, potential(barrier) - potential(lowest));
+  if (lower_barrier) energy = std::max(energy, potential(*lower_barrier) - potential(lowest));
   const double energy_of_start =
       start ? start->ydot * start->ydot / 2 + potential(start->y) - potential(lowest) : 0;
   if (energy_of_start > energy) {
@@ -259,6 +251,9 @@ PhasePlaneBox passage_box(const problem::Problem& problem, const problem::Motion
           : 0;
   box.x2_max = std::max(box.x2_max, speed / restitution + of_impulse);
   box.x1_max = std::max(box.x1_max, barrier + kBeyond * scales.displacement_deviation);
+  if (lower_barrier && !wall) {
+    box.x1_min = std::min(box.x1_min, *lower_barrier - kBeyond * scales.displacement_deviation);
+  }
   if (const auto& right = problem.system.right_wall()) box.x1_max = right->position;
   return box;
 }
@@ -266,18 +261,26 @@ PhasePlaneBox passage_box(const problem::Problem& problem, const problem::Motion
 }  // namespace
 
 transform::FirstPassageResult solve_passage(const problem::Problem& problem,
-                                            const FiniteVolumeOptions& options, double barrier,
+                                            const FiniteVolumeOptions& options,
+                                            const transform::PassageBarrier& barrier,
                                             std::vector<double> times,
                                             std::optional<transform::PassageStartState> start) {
+  assert(!barrier.is_energy());
   validate(options);
   const base::Stopwatch stopwatch;
   transform::FirstPassageResult passage{.id = solution_id(options)};
   const problem::Problem transformed =
       problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  const double level = transformed.frame.wall_coordinate(barrier);
-  passage.reason = transient_unsupported_reason(transformed, options);
-  if (passage.reason.empty()) {
-    passage.reason = problem::barrier_unsupported_reason(transformed, level);
+  const double level = transformed.frame.wall_coordinate(barrier.level);
+  std::optional<double> lower_level;
+  if (barrier.lower_level) lower_level = transformed.frame.wall_coordinate(*barrier.lower_level);
+  const std::string grid_reason = barrier_grid_unsupported_reason(transformed, options);
+  for (const std::string& reason :
+       {transient_unsupported_reason(transformed, options),
+        problem::barrier_unsupported_reason(transformed, level),
+        lower_level ? problem::barrier_unsupported_reason(transformed, *lower_level) : "",
+        lower_level ? grid_reason : ""}) {
+    if (passage.reason.empty()) passage.reason = reason;
   }
   if (!passage.reason.empty()) {
     passage.status = Status::not_offered;
@@ -289,30 +292,39 @@ transform::FirstPassageResult solve_passage(const problem::Problem& problem,
   with_order.order = options.order.value_or(automatic_scheme_order(transformed));
   if (!has_linearised_scales(transformed))
     with_order.wall_density *= box_edge_density_factor(transformed);
-  start = transform::passage_start_state(transformed, level, start);
+  start = transform::passage_start_state(transformed, level, start, lower_level);
   const auto rest = problem::rest_displacement(transformed, level);
   const bool is_at_rest = start && rest && start->y == *rest && start->ydot == 0;
+  const bool has_noise =
+      transformed.noise.is_acting() || options.equation == DensityEquation::white;
   const bool waits = transformed.impulses.is_acting() && !transformed.noise.is_acting() &&
                      options.equation == DensityEquation::kf;
-  const FirstPassageProblem below{
+  const DisplacementPassageProblem below{
       .problem = transformed,
       .options = with_order,
       .scales = scales,
       .barrier = level,
+      .lower_barrier = lower_level,
       .start = start,
       .waiting_rate = waits && is_at_rest ? transformed.impulses.arrival_rate() : 0,
-      .box = passage_box(transformed, scales, with_order, level, start, deadline)};
+      .box = passage_box(transformed, scales, with_order, level, lower_level, start, deadline)};
   if (level <= below.box.x1_min) {
     passage.status = Status::not_offered;
     passage.reason = "the stationary probability below the barrier is negligible";
     return passage;
   }
+  // Without noise the mean passage time jumps, and the finite volumes are as accurate as the finite
+  // differences.
+  const bool uses_differences = lower_level || (has_noise && grid_reason.empty());
   const double shift = survival_resolvent_shift(scales);
   solve_passage_on_grids(
       [&](double refinement, const std::vector<double>& at) {
-        return passage_on_grid(below, refinement, at, shift, deadline);
+        return uses_differences
+                   ? barrier_passage_on_grid(below, refinement, at, deadline)
+                   : finite_volume_passage_on_grid(below, refinement, at, shift, deadline);
       },
-      options, std::move(times), start.has_value(), "cells", deadline, passage);
+      options, std::move(times), start.has_value(), uses_differences ? "nodes" : "cells", deadline,
+      passage);
   passage.seconds = stopwatch.seconds();
   return passage;
 }

@@ -13,16 +13,21 @@ namespace fpkcheck::fd_fpk {
 ///
 ///     dT/dt = L* T,   T(b, v) = 0 for v > 0,   T(0, -u) = T(0, r u),
 ///
-/// for the survival probability T, in a Krylov space of the transposed matrix of finite volumes.
-/// Motion that crosses the barrier is absorbed. The stationary density, computed on the same cells
-/// and on further cells beyond the barrier, gives the stationary initial density and Rice's rate.
-/// The errors follow from three or more grids (FunctionalValuesFromGridSequence).
+/// for the survival probability T, or the first exit from the interval (a, b) between two barriers,
+/// where also T(a, v) = 0 for v < 0. Under noise the equation is discretised by finite differences
+/// (BarrierGrid). Under impulses alone, for the equations km4 and for impulse.factor, one barrier
+/// is solved in a Krylov space of the transposed matrix of finite volumes, and two barriers by
+/// finite differences. The stationary density of finite volumes gives the stationary initial
+/// density and Rice's rate. The errors follow from three or more grids
+/// (FunctionalValuesFromGridSequence).
+/// @param barrier displacement barrier, or two displacement barriers, in physical coordinates
 /// @param times times of the survival probabilities; automatic times if empty
 /// @param start initial state of FirstPassageResult::mean_from_point; if empty, the initial state
 /// is at rest
 /// @throws InputError for invalid options
 transform::FirstPassageResult solve_passage(const problem::Problem& problem,
-                                            const FiniteVolumeOptions& options, double barrier,
+                                            const FiniteVolumeOptions& options,
+                                            const transform::PassageBarrier& barrier,
                                             std::vector<double> times,
                                             std::optional<transform::PassageStartState> start = {});
 

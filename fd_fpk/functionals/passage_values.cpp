@@ -67,13 +67,16 @@ Eigen::VectorXd passage_values(ReducedResolvent& model, const PassageInitialCond
   return values;
 }
 
-// Returns the magnitudes to which errors are relative: the values, and 1 for the survival
-// probabilities, since small probabilities have large relative errors.
+// Returns the magnitudes to which errors are relative: the values, and 1 for the probabilities of
+// survival and of the upper barrier, since small probabilities have large relative errors.
 Eigen::VectorXd passage_magnitudes(const Eigen::VectorXd& values) {
   Eigen::VectorXd magnitudes = values.cwiseAbs();
   // A mean time without an initial state and the rate of upcrossings of an energy are 0.
   for (const auto absent : {kFromPoint, kRiceRate}) {
     if (magnitudes(absent) == 0) magnitudes(absent) = 1;
+  }
+  for (const auto probability : {kUpperExitFromPoint, kUpperExitFromStationary}) {
+    magnitudes(probability) = 1;
   }
   magnitudes.tail(values.size() - kValueCount).setOnes();
   return magnitudes;
@@ -81,10 +84,12 @@ Eigen::VectorXd passage_magnitudes(const Eigen::VectorXd& values) {
 
 // Returns the largest accepted differences between the values of two successive Krylov spaces. The
 // survival probability at short times, to which many modes contribute, converges last.
-Eigen::VectorXd krylov_errors(const Eigen::VectorXd& values) {
-  constexpr double kOfValues = 1e-5, kOfSurvival = 1e-3;
+// @param accuracy FiniteVolumeOptions::accuracy
+Eigen::VectorXd krylov_errors(const Eigen::VectorXd& values, double accuracy) {
+  constexpr double kOfValues = 1e-5, kOfSurvival = 1e-3, kFractionOfAccuracy = 0.1;
   Eigen::VectorXd errors = kOfValues * values.cwiseAbs();
-  errors.tail(values.size() - kValueCount).setConstant(kOfSurvival);
+  errors.tail(values.size() - kValueCount)
+      .setConstant(std::min(kOfSurvival, kFractionOfAccuracy * accuracy));
   return errors;
 }
 
@@ -92,7 +97,7 @@ Eigen::VectorXd krylov_errors(const Eigen::VectorXd& values) {
 
 Eigen::VectorXd compute_passage_values(ReducedResolvent& model,
                                        const PassageInitialConditions& starts,
-                                       const std::vector<double>& times,
+                                       const std::vector<double>& times, double accuracy,
                                        const base::Deadline& deadline, std::string& failure) {
   constexpr int kStep = 10, kMost = 120;
   Eigen::VectorXd last;
@@ -103,8 +108,8 @@ Eigen::VectorXd compute_passage_values(ReducedResolvent& model,
       return {};
     }
     Eigen::VectorXd values = passage_values(model, starts, times);
-    agree =
-        last.size() > 0 && ((values - last).array().abs() <= krylov_errors(values).array()).all();
+    agree = last.size() > 0 &&
+            ((values - last).array().abs() <= krylov_errors(values, accuracy).array()).all();
     last = values;
   }
   if (!agree) {
@@ -158,7 +163,8 @@ void solve_passage_on_grids(const SolvePassageOnGrid& solve_on_grid,
     passage.reason = converged.failure;
     return;
   }
-  const Eigen::VectorXd errors = converged.errors + krylov_errors(converged.values);
+  const Eigen::VectorXd errors =
+      converged.errors + krylov_errors(converged.values, options.accuracy);
   const auto at = [&](Eigen::Index k) -> ValueWithError {
     return {converged.values(k), errors(k)};
   };
@@ -167,6 +173,10 @@ void solve_passage_on_grids(const SolvePassageOnGrid& solve_on_grid,
   passage.mean_from_stationary = at(kFromStationary);
   if (converged.values(kRiceRate) > 0) passage.rice_rate = at(kRiceRate);
   passage.probability_below = at(kProbabilityBelow);
+  if (converged.values(kUpperExitFromStationary) > 0) {  // two barriers
+    if (has_start) passage.upper_exit_from_point = at(kUpperExitFromPoint);
+    passage.upper_exit_from_stationary = at(kUpperExitFromStationary);
+  }
   passage.times = times;
   const auto n = static_cast<Eigen::Index>(times.size());
   for (Eigen::Index k = 0; k < n; ++k) {

@@ -26,6 +26,8 @@ enum PassageValue {
   kFromStationary,
   kRiceRate,
   kProbabilityBelow,
+  kUpperExitFromPoint,
+  kUpperExitFromStationary,
   kValueCount
 };
 
@@ -42,11 +44,12 @@ struct PassageInitialConditions {
 
 /// Computes the hazard, the mean passage times and the survival probabilities at the given times in
 /// the Krylov space of a model of the survival probability. The Krylov space grows until the values
-/// of two successive spaces agree. Rice's rate and the probability below the barrier are 0.
+/// of two successive spaces agree. The values with the indices from kRiceRate are 0.
+/// @param accuracy FiniteVolumeOptions::accuracy
 /// @return the values; empty with a reason in `failure`
 Eigen::VectorXd compute_passage_values(ReducedResolvent& model,
                                        const PassageInitialConditions& starts,
-                                       const std::vector<double>& times,
+                                       const std::vector<double>& times, double accuracy,
                                        const base::Deadline& deadline, std::string& failure);
 
 /// Returns the shift of the Krylov space. Smaller shifts slow down the convergence of the survival

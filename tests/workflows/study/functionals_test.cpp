@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@ namespace fpkcheck::study {
 namespace {
 
 using Json = nlohmann::json;
+using transform::FirstPassageResult;
 using transform::Status;
 
 SpectrumStudy spectrum_study() {
@@ -133,7 +135,7 @@ TEST(SensitivityReport, HasDerivativesOfMarginalDensities) {
 
 TEST(PassageReport, HasTheKeysOfTheContract) {
   PassageStudy study{tests::paper_case(1), {}, {}};
-  study.options.displacement = 1.5;
+  study.options.displacement = "1.5";
   study.passages = {{.id = "mcs",
                      .status = Status::ok,
                      .hazard = transform::ValueWithError{0.1, 0.01},
@@ -153,7 +155,7 @@ TEST(PassageReport, HasTheKeysOfTheContract) {
 // The cells of the map are of unequal size, and their values differ in y and in y'.
 TEST(PassageFigure, HasAMapOfTheMeanTimes) {
   PassageStudy study{tests::paper_case(1), {}, {}};
-  study.options.displacement = 1.5;
+  study.options.displacement = "1.5";
   study.passages = {{.id = "fd-kf",
                      .status = Status::ok,
                      .times = {1, 2},
@@ -204,14 +206,14 @@ TEST(SensitivityStudy, JudgesClosuresByTheirErrorsWithoutEffectOnTheExitCode) {
 TEST(PassageOptions, NeedABarrierAndValidTimes) {
   EXPECT_THROW(study_passage(tests::paper_case(1), {}, {}), InputError);
   PassageOptions options;
-  options.displacement = 1;
+  options.displacement = "1";
   options.times = "1,-2";
   EXPECT_THROW(study_passage(tests::paper_case(1), options, {}), InputError);
 }
 
 TEST(PassageOptions, RefuseInvalidStarts) {
   PassageOptions options;
-  options.displacement = 1;
+  options.displacement = "1";
   for (const char* start : {"", "0.5", "0.5,1,2", "a,1", "1,0", "1.2,0", "-0.1,0", "0.5,inf"}) {
     options.start = start;
     EXPECT_THROW(study_passage(tests::paper_case(1), options, {}), InputError) << start;
@@ -223,7 +225,7 @@ TEST(PassageOptions, RefuseInvalidStarts) {
 TEST(PassageFromAPoint, AgreesWithTheSimulation) {
   const auto problem = tests::make_problem({.damping = 0.3, .restitution = 0.7, .intensity = 0.3});
   PassageOptions options;
-  options.displacement = 1;
+  options.displacement = "1";
   options.start = "0.3,-1.2";
   options.methods = "fd-kf,mcs,characteristics";
   options.times = "3,10";
@@ -321,7 +323,7 @@ TEST(PassageOfTheEnergy, RefusesAStartAboveTheBarrierAndASecondBarrier) {
     EXPECT_THROW(study_passage(tests::paper_case(1), options, {}), InputError) << start;
   }
   options.start = {};
-  options.displacement = 1;
+  options.displacement = "1";
   EXPECT_THROW(study_passage(tests::paper_case(1), options, {}), InputError);
 }
 
@@ -344,7 +346,7 @@ factor = -1.5
 )");
   const problem::Problem problem = problem::read_case(ini, "test", "test.ini");
   PassageOptions options;
-  options.displacement = 1;
+  options.displacement = "1";
   options.times = "10";
   options.time = 3e5;
   options.accuracy = 0.05;
@@ -382,7 +384,7 @@ right_restitution = 0.5
 )");
   const problem::Problem problem = problem::read_case(ini, "test", "test.ini");
   PassageOptions options;
-  options.displacement = 1;
+  options.displacement = "1";
   options.times = "10";
   options.methods = "fd-white,mcs-white";
   options.time = 3e5;
@@ -395,11 +397,84 @@ right_restitution = 0.5
   EXPECT_NEAR(fd.mean_from_point->value, kQuarter, 1e-3 * kQuarter);
   EXPECT_NEAR(simulated.mean_from_point->value, kQuarter, 3.5 * simulated.mean_from_point->error);
   options.start = {};
-  options.methods = "mcs-white";
   const PassageStudy at_rest = study_passage(problem, options, {});
-  const auto& mean = *at_rest.passages.at(0).mean_from_point;
+  ASSERT_EQ(at_rest.passages.at(0).status, Status::ok) << at_rest.passages.at(0).reason;
+  EXPECT_NEAR(at_rest.passages.at(0).mean_from_point->value, kHalf, 1e-4 * kHalf);
+  const auto& mean = *at_rest.passages.at(1).mean_from_point;
   EXPECT_NEAR(mean.value, kHalf, 3.5 * mean.error);
   EXPECT_LT(mean.error, 0.01 * kHalf);
+}
+
+// An interval that is not symmetric to the equilibrium or to the wall, under white noise and under
+// impulses: the exits at the two barriers have different probabilities.
+TEST(PassageOfTwoBarriers, AgreesWithTheSimulation) {
+  for (const std::string excitation :
+       {"[noise]\nintensity = 0.1\n",
+        "[impulse]\nrate = 1\nlaw = gaussian\nintensity = 0.1\nmean = 0.05\n"}) {
+    std::istringstream ini(
+        "[system]\ndamping = 0.1\nstiffness = 1\n[wall]\nleft = -1.5\nleft_restitution = 0.8\n" +
+        excitation);
+    const problem::Problem problem = problem::read_case(ini, "test", "test.ini");
+    const bool is_noise = problem.noise.is_acting();
+    PassageOptions options;
+    options.displacement = "-1,1.3";
+    if (is_noise) options.start = "0.4,-0.5";
+    options.methods =
+        (is_noise ? std::string("fd-white,mcs-white") : "fd-kf,mcs") + ",characteristics,bounds";
+    options.times = "10,50";
+    options.time = 3e5;
+    options.accuracy = 0.02;
+    options.max_seconds = 200;
+    const PassageStudy study = study_passage(problem, options, {});
+    const auto &fd = study.passages.at(0), &simulated = study.passages.at(1);
+    ASSERT_EQ(fd.status, Status::ok) << fd.reason;
+    ASSERT_EQ(simulated.status, Status::ok) << simulated.reason;
+    EXPECT_EQ(study.passages.at(2).status, Status::not_offered);
+    EXPECT_EQ(study.passages.at(3).status, Status::not_offered);
+    EXPECT_EQ(study.passages.at(4).id, "rice");
+    EXPECT_TRUE(has_converged(study));
+    const auto expect_agreement = [](const transform::ValueWithError& a,
+                                     const transform::ValueWithError& b) {
+      EXPECT_NEAR(a.value, b.value, 3.5 * b.error + a.error);
+    };
+    for (const auto quantity :
+         {&FirstPassageResult::hazard, &FirstPassageResult::mean_from_point,
+          &FirstPassageResult::mean_from_stationary, &FirstPassageResult::rice_rate,
+          &FirstPassageResult::probability_below, &FirstPassageResult::upper_exit_from_point,
+          &FirstPassageResult::upper_exit_from_stationary}) {
+      ASSERT_TRUE(fd.*quantity && simulated.*quantity);
+      expect_agreement(*(fd.*quantity), *(simulated.*quantity));
+    }
+    for (std::size_t k = 0; k < 2; ++k) {
+      expect_agreement(fd.survival_from_point.at(k), simulated.survival_from_point.at(k));
+      expect_agreement(fd.survival_from_stationary.at(k), simulated.survival_from_stationary.at(k));
+    }
+    EXPECT_LT(simulated.upper_exit_from_stationary->error, 0.02);
+    const Json found = Json::parse(study::study_json_text(study, "fpkcheck passage"));
+    const Json& passage = found.at("cases").at(0).at("passage");
+    EXPECT_EQ(passage.at("barrier"), Json({{"displacement", 1.3}, {"lower_displacement", -1.0}}));
+    const Json& one = passage.at("solutions").at(0);
+    const std::string key =
+        std::string("upper_exit_probability_from_") + (is_noise ? "start" : "rest");
+    EXPECT_EQ(one.at(key), fd.upper_exit_from_point->value);
+    EXPECT_EQ(one.at("error").at(key), fd.upper_exit_from_point->error);
+    EXPECT_EQ(one.at("upper_exit_probability_from_stationary"),
+              fd.upper_exit_from_stationary->value);
+    EXPECT_EQ(one.at("probability_between"), fd.probability_below->value);
+  }
+}
+
+TEST(PassageOptions, RefuseInvalidIntervals) {
+  PassageOptions options;
+  for (const char* barriers : {"1,0.5", "1,1", "1,2,3", "a", ",1"}) {
+    options.displacement = barriers;
+    EXPECT_THROW(study_passage(tests::paper_case(1), options, {}), InputError) << barriers;
+  }
+  options.displacement = "0.5,1";
+  for (const char* start : {"0.5,0", "0.5,-1", "1,0", "1,1", "1.2,0", "0.2,0"}) {
+    options.start = start;
+    EXPECT_THROW(study_passage(tests::paper_case(1), options, {}), InputError) << start;
+  }
 }
 
 // Problems of several kinds: rest in contact with the wall, a barrier in the other of two wells, a
@@ -422,7 +497,7 @@ TEST(PassageByCharacteristics, AgreesWithTheSimulation) {
     std::istringstream text(ini);
     PassageOptions options;
     options.methods = "characteristics,mcs";
-    options.displacement = barrier;
+    options.displacement = fmt::format("{}", barrier);
     options.time = 3e5;
     options.max_seconds = 120;
     const PassageStudy study =

@@ -19,7 +19,9 @@ namespace fpkcheck::study {
 
 /// First passage of the displacement or of the energy above a barrier; one of the two is given.
 struct PassageOptions : FunctionalCommandOptions {
-  std::optional<double> displacement{}, energy{};
+  /// One barrier "B", or two barriers "A,B" for the exit from the interval (A, B).
+  std::optional<std::string> displacement{};
+  std::optional<double> energy{};
   /// Initial state "Y,V"; empty for a start at rest.
   std::optional<std::string> start{};
   /// Comma-separated times of the survival probabilities.

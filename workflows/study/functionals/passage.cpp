@@ -39,6 +39,32 @@ PassageStartName start_name(const PassageOptions& options) {
   return {"start", "(" + *options.start + ")"};
 }
 
+// Returns the barrier of the options, or the two barriers "A,B" of the displacement.
+// @throws InputError unless exactly one barrier is given, or two valid barriers
+transform::PassageBarrier parse_barrier(const PassageOptions& options) {
+  if (options.displacement.has_value() == options.energy.has_value()) {
+    throw InputError(options.energy
+                         ? "two barriers; give either --displacement or --energy"
+                         : "no barrier; give one, e.g. --displacement 1.5 or --energy 1");
+  }
+  if (options.energy) {
+    return {.quantity = transform::PassageBarrier::Quantity::energy, .level = *options.energy};
+  }
+  const auto refuse = [&](const char* requirement) -> double {
+    throw InputError(
+        fmt::format("--displacement {} ({})", base::in_quotes(*options.displacement), requirement));
+  };
+  std::vector<double> levels;
+  for (const std::string& item : split_at_commas(*options.displacement)) {
+    const auto level = parse_finite_number(item);
+    levels.push_back(level ? *level : refuse("must be a barrier B, or two barriers A,B"));
+  }
+  if (levels.empty() || levels.size() > 2) refuse("must be a barrier B, or two barriers A,B");
+  if (levels.size() == 1) return {.level = levels[0]};
+  if (!(levels[0] < levels[1])) refuse("the first barrier must be below the second barrier");
+  return {.level = levels[1], .lower_level = levels[0]};
+}
+
 struct NamedPassageQuantity {
   std::string key;   // key in JSON
   std::string name;  // name in tables
@@ -46,33 +72,38 @@ struct NamedPassageQuantity {
 };
 std::vector<NamedPassageQuantity> passage_quantities(const PassageOptions& options) {
   const auto [key, text] = start_name(options);
-  return {{"hazard", "hazard", &FirstPassageResult::hazard},
-          {"mean_from_" + key, "mean time from " + text, &FirstPassageResult::mean_from_point},
-          {"mean_from_stationary", "mean time, stationary start",
-           &FirstPassageResult::mean_from_stationary},
-          {"rice_rate", "rate of upcrossings (Rice)", &FirstPassageResult::rice_rate},
-          {"probability_below", "probability below the barrier",
-           &FirstPassageResult::probability_below}};
-}
-
-// Returns the barrier of the options.
-// @throws InputError unless exactly one barrier is given
-transform::PassageBarrier parse_barrier(const PassageOptions& options) {
-  if (options.displacement.has_value() == options.energy.has_value()) {
-    throw InputError(options.energy
-                         ? "two barriers; give either --displacement or --energy"
-                         : "no barrier; give one, e.g. --displacement 1.5 or --energy 1");
+  const bool two = parse_barrier(options).lower_level.has_value();
+  std::vector<NamedPassageQuantity> quantities{
+      {"hazard", "hazard", &FirstPassageResult::hazard},
+      {"mean_from_" + key, "mean time from " + text, &FirstPassageResult::mean_from_point},
+      {"mean_from_stationary", "mean time, stationary start",
+       &FirstPassageResult::mean_from_stationary},
+      {"rice_rate", two ? "rate of exits (Rice)" : "rate of upcrossings (Rice)",
+       &FirstPassageResult::rice_rate},
+      {two ? "probability_between" : "probability_below",
+       two ? "probability between the barriers" : "probability below the barrier",
+       &FirstPassageResult::probability_below}};
+  if (two) {
+    quantities.push_back({"upper_exit_probability_from_" + key,
+                          "probability of exit at the upper barrier, from " + text,
+                          &FirstPassageResult::upper_exit_from_point});
+    quantities.push_back({"upper_exit_probability_from_stationary",
+                          "probability of exit at the upper barrier, stationary start",
+                          &FirstPassageResult::upper_exit_from_stationary});
   }
-  return options.energy
-             ? transform::PassageBarrier{transform::PassageBarrier::Quantity::energy,
-                                         *options.energy}
-             : transform::PassageBarrier{transform::PassageBarrier::Quantity::displacement,
-                                         *options.displacement};
+  return quantities;
 }
 
 // Returns the text of the quantity that passes the barrier.
 std::string barrier_quantity_text(const transform::PassageBarrier& barrier) {
   return barrier.is_energy() ? "the energy" : "y";
+}
+
+// Returns the text of the states before the passage: "below 1.5" or "between -1 and 1".
+std::string survival_text(const transform::PassageBarrier& barrier) {
+  return barrier.lower_level
+             ? fmt::format("between {:g} and {:g}", *barrier.lower_level, barrier.level)
+             : fmt::format("below {:g}", barrier.level);
 }
 
 std::vector<double> parse_survival_times(const PassageOptions& options) {
@@ -112,8 +143,13 @@ std::optional<transform::PassageStartState> parse_start(const problem::Problem& 
   if (right && *y > right->position) {
     refuse(fmt::format("Y must not be behind the wall at {:g}", right->position));
   }
-  if (!barrier.is_energy() && !(*y < barrier.level)) {
+  // At a barrier the motion starts away from the barrier.
+  if (!barrier.is_energy() && !(*y < barrier.level || (*y == barrier.level && *ydot < 0))) {
     refuse(fmt::format("Y must be below the barrier {:g}", barrier.level));
+  }
+  if (const auto& lower = barrier.lower_level;
+      lower && !(*y > *lower || (*y == *lower && *ydot > 0))) {
+    refuse(fmt::format("Y must be above the barrier {:g}", *lower));
   }
   if (barrier.is_energy()) {
     const double energy = *ydot * *ydot / 2 + problem::EffectivePotential(problem.system)(*y);
@@ -134,7 +170,7 @@ FirstPassageResult rice_approximation(const FirstPassageResult& of) {
   rice.times = of.times;
   for (const double t : of.times) rice.survival_from_stationary.push_back({std::exp(-rate * t), 0});
   rice.status = Status::ok;
-  rice.details = "independent upward crossings, an approximation without an error estimate";
+  rice.details = "independent crossings, an approximation without an error estimate";
   return rice;
 }
 
@@ -148,7 +184,7 @@ FirstPassageResult solve_passage(const problem::Problem& problem,
   if (method.fd) {
     return barrier.is_energy()
                ? fd_fpk::solve_energy_passage(problem, *method.fd, barrier.level, times, start)
-               : fd_fpk::solve_passage(problem, *method.fd, barrier.level, times, start);
+               : fd_fpk::solve_passage(problem, *method.fd, barrier, times, start);
   }
   if (barrier.is_energy()) {
     return {.id = method.identity.id,
@@ -156,6 +192,11 @@ FirstPassageResult solve_passage(const problem::Problem& problem,
             .reason =
                 "the method ends the motion at a barrier of the displacement; use fd or mcs for an "
                 "energy barrier"};
+  }
+  if (barrier.lower_level) {
+    return {.id = method.identity.id,
+            .status = Status::not_offered,
+            .reason = "the method supports one barrier; use fd or mcs for two barriers"};
   }
   if (method.bounds) return backward::bound_passage(problem, *method.bounds, barrier.level, start);
   return backward::solve_passage(problem, *method.characteristics, barrier.level, times, start);
@@ -169,7 +210,8 @@ const base::OptionsDescription<PassageOptions>& passage_option_descriptions() {
   static const auto description = with_functional_options(
       base::OptionsDescription<PassageOptions>("passage ")
           .add("displacement", &PassageOptions::displacement,
-               {"B", "barrier: first passage of y above B"}, base::finite_numbers())
+               {"B",
+                "barrier: first passage of y above B; A,B: first exit from the interval (A, B)"})
           .add("energy", &PassageOptions::energy,
                {"H", "in place of --displacement: first passage of y'^2/2 + U(y) above H"},
                base::finite_numbers())
@@ -267,6 +309,7 @@ std::string study_json_text(const PassageStudy& study, const std::string& comman
   const transform::PassageBarrier barrier = parse_barrier(study.options);
   Json passage{{"barrier", {{barrier.is_energy() ? "energy" : "displacement", barrier.level}}},
                {"solutions", std::move(solutions)}};
+  if (barrier.lower_level) passage["barrier"]["lower_displacement"] = *barrier.lower_level;
   if (const auto start = parse_start(study.problem, study.options, barrier)) {
     passage["start"] = {{"y", start->y}, {"ydot", start->ydot}};
   }
@@ -305,9 +348,14 @@ std::string study_table_text(const PassageStudy& study, const report::TerminalTe
   const transform::PassageBarrier barrier = parse_barrier(study.options);
   std::string text = report::wrap_text(report::case_title(study.problem), format.width);
   text += report::wrap_text(
-      fmt::format(
-          "first passage of {0} above {1:g}; survival: probability that {0} has stayed below",
-          barrier_quantity_text(barrier), barrier.level),
+      barrier.lower_level
+          ? fmt::format(
+                "first exit of y from ({:g}, {:g}); survival: probability that y has stayed "
+                "in the interval",
+                *barrier.lower_level, barrier.level)
+          : fmt::format(
+                "first passage of {0} above {1:g}; survival: probability that {0} has stayed below",
+                barrier_quantity_text(barrier), barrier.level),
       format.width);
   const auto quantities = passage_quantities(study.options);
   std::vector<StudyTableColumn> columns{{"", "", "what", "", report::kAlwaysShown, true}};
@@ -429,8 +477,8 @@ report::Figure study_figure(const PassageStudy& study) {
   if (series.empty()) return {};
   const transform::PassageBarrier barrier = parse_barrier(study.options);
   report::FigurePanel panel{
-      .title = fmt::format("probability that {} stays below {:g}, stationary start",
-                           barrier_quantity_text(barrier), barrier.level),
+      .title = fmt::format("probability that {} stays {}, stationary start",
+                           barrier_quantity_text(barrier), survival_text(barrier)),
       .x = report::linear_axis("{/:Italic t}", series, &report::FigurePoint::x),
       .y = report::logarithmic_axis("survival probability", series, &report::FigurePoint::y),
       .series = series};
