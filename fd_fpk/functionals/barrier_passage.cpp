@@ -22,12 +22,14 @@ BarrierGrid make_barrier_grid(const DisplacementPassageProblem& passage,
   constexpr double kFewest = 66, kMost = 160, kNodesPerDeviation = 8;
   constexpr double kColumnsPerRow = 2. / 3;
   using End = PassageStrip::LowerEnd;
-  const PassageStrip strip{.lower_end = passage.lower_barrier                ? End::barrier
-                                        : passage.problem.system.left_wall() ? End::wall
-                                                                             : End::box,
-                           .lower = passage.lower_barrier.value_or(passage.box.x1_min),
-                           .upper = passage.barrier,
-                           .largest_speed = passage.box.x2_max};
+  const auto& wall = passage.problem.system.left_wall();
+  const PassageStrip strip{
+      .lower_end = passage.lower_barrier ? End::barrier
+                   : wall                ? End::wall
+                                         : End::box,
+      .lower = passage.lower_barrier.value_or(wall ? wall->position : passage.box.x1_min),
+      .upper = passage.barrier,
+      .largest_speed = passage.box.x2_max};
   const double period = 2 * std::numbers::pi / passage.scales.frequency;
   const double by_noise = std::min(std::sqrt(2 * excitation.diffusion * period),
                                    std::cbrt(excitation.diffusion * (strip.upper - strip.lower)));
