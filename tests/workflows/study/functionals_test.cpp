@@ -505,9 +505,9 @@ TEST(PassageByCharacteristics, AgreesWithTheSimulation) {
     const auto &found = study.passages.at(0), &simulated = study.passages.at(1);
     ASSERT_EQ(found.status, Status::ok) << ini << found.reason;
     ASSERT_EQ(simulated.status, Status::ok) << ini << simulated.reason;
-    const auto expect_agreement = [&](const transform::ValueWithError& a,
-                                      const transform::ValueWithError& b) {
-      EXPECT_NEAR(a.value, b.value, 3.5 * b.error + a.error) << ini;
+    const auto expect_agreement = [&ini_text = ini](const transform::ValueWithError& a,
+                                                    const transform::ValueWithError& b) {
+      EXPECT_NEAR(a.value, b.value, 3.5 * b.error + a.error) << ini_text;
     };
     expect_agreement(*found.mean_from_point, *simulated.mean_from_point);
     if (found.mean_from_stationary) {  // absent if the time does not suffice
