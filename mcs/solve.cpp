@@ -469,7 +469,9 @@ SimulationResult simulate_stationary_density(const problem::Problem& problem,
   auto [unreached_goal_reason, interrupted] =
       simulate_until_goal(simulation, options, checkpoints, fingerprint);
 
-  const auto doubled_plan = plan_with_doubled_kick_interval(problem, plan);
+  const auto doubled_plan = kick_interval_affects_stationary_density(plan)
+                                ? plan_with_doubled_kick_interval(problem, plan)
+                                : std::nullopt;
   std::optional<Simulation> doubled;
   if (doubled_plan && !interrupted) {
     doubled.emplace(problem, *doubled_plan);

@@ -13,6 +13,7 @@
 #include "base/process/parallel_for.hpp"
 #include "base/process/stopwatch.hpp"
 #include "mcs/applicability.hpp"
+#include "mcs/estimate/kick_interval_error.hpp"
 #include "mcs/estimate/stream_averages.hpp"
 #include "mcs/estimate/stream_weights.hpp"
 #include "mcs/simulation/simulation.hpp"
@@ -37,6 +38,7 @@ constexpr double kLength = 100;
 constexpr std::size_t kShortest = 256, kLongest = 1 << 18;  // samples of a segment
 // Default simulated time in segment lengths, for standard errors of about 1.5 %
 constexpr double kSegments = 2500;
+constexpr int kFewestRounds = 4;  // a round has half of the samples of a segment
 // Largest number of impulses, kicks and flights of the default simulation, about 8 s of computing.
 // Recording a sample takes the computing time of kEventsPerSample events of the motion.
 constexpr double kMostSpectrumEvents = 4e7, kEventsPerSample = 0.25;
@@ -214,38 +216,19 @@ std::size_t choose_segment_length(double decay_rate, double interval) {
   return length;
 }
 
-}  // namespace
-
-transform::SpectralDensity estimate_spectrum(const problem::Problem& problem,
-                                             const SimulationOptions& options,
-                                             transform::StateVariable variable,
-                                             const std::vector<double>& frequencies,
-                                             const std::vector<double>& lags) {
-  const base::Stopwatch stopwatch;
+// Estimates the spectral density with the interval between noise kicks of a plan.
+// @param length number of samples of a segment
+// @param nyquist Nyquist frequency of the samples
+transform::SpectralDensity estimate_spectrum_with_plan(const problem::Problem& transformed,
+                                                       const SimulationPlan& plan,
+                                                       const SimulationOptions& options,
+                                                       transform::StateVariable variable,
+                                                       const std::vector<double>& frequencies,
+                                                       const std::vector<double>& lags,
+                                                       std::size_t length, double nyquist) {
   transform::SpectralDensity spectrum{.id = solution_id(options), .variable = variable};
   spectrum.frequencies = frequencies;
   spectrum.has_standard_errors = true;
-  const problem::Problem transformed =
-      problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  spectrum.reason = unsupported_functional_reason(transformed, options);
-  if (!spectrum.reason.empty()) {
-    spectrum.status = Status::not_offered;
-    return spectrum;
-  }
-  const problem::MotionScales scales = problem::motion_scales(transformed);
-  SimulationPlan plan = make_simulation_plan(transformed, options);
-  const double nyquist = kOversampling * std::max(frequencies.back(), scales.frequency);
-  plan.sampling_interval = kPi / nyquist;
-  const std::size_t length =
-      choose_segment_length(scales.slowest_decay_rate, plan.sampling_interval);
-  plan.samples_per_round = length / 2;
-  const double time = options.time.value_or(
-      std::min(kSegments * static_cast<double>(length) * plan.sampling_interval,
-               kMostSpectrumEvents /
-                   (plan.expected_event_rate + kEventsPerSample / plan.sampling_interval)));
-  plan.rounds = static_cast<std::uint64_t>(
-      std::max(4.0, std::ceil(time / (plan.streams * plan.simulated_time_per_round()))));
-
   Simulation simulation(transformed, plan);
   simulation.enable_displacement_recording();
   simulation.run_burn_in();
@@ -319,6 +302,65 @@ transform::SpectralDensity estimate_spectrum(const problem::Problem& problem,
   spectrum.details = fmt::format("{} segments of {:.4g}", segments,
                                  static_cast<double>(length) * plan.sampling_interval);
   spectrum.peak = transform::find_spectral_peak(frequencies, spectrum.density);
+  return spectrum;
+}
+
+// Adds the errors by the interval between noise kicks to the standard errors.
+// @param doubled spectral density with twice the interval
+// @param order order of the errors in the interval
+void add_kick_interval_errors(const transform::SpectralDensity& doubled, int order,
+                              transform::SpectralDensity& spectrum) {
+  const auto add = [order](double value, double other, double other_error, double& error) {
+    error += kick_interval_error(other - value, std::hypot(error, other_error), order);
+  };
+  for (std::size_t k = 0; k < spectrum.density.size(); ++k) {
+    add(spectrum.density[k], doubled.density[k], doubled.error[k], spectrum.error[k]);
+  }
+  for (std::size_t k = 0; k < spectrum.autocovariance.size(); ++k) {
+    add(spectrum.autocovariance[k], doubled.autocovariance[k], doubled.autocovariance_error[k],
+        spectrum.autocovariance_error[k]);
+  }
+  add(spectrum.variance, doubled.variance, doubled.variance_error, spectrum.variance_error);
+}
+
+}  // namespace
+
+transform::SpectralDensity estimate_spectrum(const problem::Problem& problem,
+                                             const SimulationOptions& options,
+                                             transform::StateVariable variable,
+                                             const std::vector<double>& frequencies,
+                                             const std::vector<double>& lags) {
+  const base::Stopwatch stopwatch;
+  transform::SpectralDensity spectrum{.id = solution_id(options), .variable = variable};
+  const problem::Problem transformed =
+      problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
+  spectrum.reason = unsupported_functional_reason(transformed, options);
+  if (!spectrum.reason.empty()) {
+    spectrum.status = Status::not_offered;
+    return spectrum;
+  }
+  const problem::MotionScales scales = problem::motion_scales(transformed);
+  SimulationPlan plan = make_simulation_plan(transformed, options);
+  const double nyquist = kOversampling * std::max(frequencies.back(), scales.frequency);
+  plan.sampling_interval = kPi / nyquist;
+  const std::size_t length =
+      choose_segment_length(scales.slowest_decay_rate, plan.sampling_interval);
+  plan.samples_per_round = length / 2;
+  const double time = options.time.value_or(
+      std::min(kSegments * static_cast<double>(length) * plan.sampling_interval,
+               kMostSpectrumEvents /
+                   (plan.expected_event_rate + kEventsPerSample / plan.sampling_interval)));
+  plan.rounds = static_cast<std::uint64_t>(std::max(
+      double{kFewestRounds}, std::ceil(time / (plan.streams * plan.simulated_time_per_round()))));
+
+  spectrum = estimate_spectrum_with_plan(transformed, plan, options, variable, frequencies, lags,
+                                         length, nyquist);
+  if (auto doubled = plan_with_doubled_kick_interval(transformed, plan)) {
+    doubled->rounds = std::max(std::uint64_t{kFewestRounds}, (plan.rounds + 1) / 2);
+    add_kick_interval_errors(estimate_spectrum_with_plan(transformed, *doubled, options, variable,
+                                                         frequencies, lags, length, nyquist),
+                             order_in_kick_interval(plan), spectrum);
+  }
   spectrum.reason = short_burn_in_reason(plan, options);
   constexpr double kShortestLength = 20;  // in decay times
   const double decay_times =

@@ -12,6 +12,7 @@
 #include "base/process/parallel_for.hpp"
 #include "base/process/stopwatch.hpp"
 #include "mcs/applicability.hpp"
+#include "mcs/estimate/kick_interval_error.hpp"
 #include "mcs/motion/taylor_flight.hpp"
 #include "mcs/simulation/simulation.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
@@ -148,6 +149,36 @@ transform::TransientDensitySnapshot make_snapshot(const SnapshotHistograms& sums
   return snapshot;
 }
 
+// Adds the errors by the interval between noise kicks to the sampling errors.
+// @param doubled snapshots with twice the interval
+// @param first index of the first snapshot that depends on the interval
+// @param order order of the errors in the interval
+void add_kick_interval_errors(const std::vector<transform::TransientDensitySnapshot>& doubled,
+                              std::size_t first, int order,
+                              std::vector<transform::TransientDensitySnapshot>& snapshots) {
+  // L1 distance of two simulations, in expected L1 distances by sampling errors, up to which
+  // sampling errors may explain the distance
+  constexpr double kLargestByChance = 1.5;
+  for (std::size_t k = first; k < snapshots.size(); ++k) {
+    transform::TransientDensitySnapshot& at = snapshots[k];
+    const transform::TransientDensitySnapshot& other = doubled[k];
+    transform::ErrorEstimate& error = *at.error;
+    for (const auto& [name, symbol, moment, size] : transform::kMoments) {
+      error.moments.*moment += kick_interval_error(
+          other.moments.*moment - at.moments.*moment,
+          std::hypot(error.moments.*moment, other.error->moments.*moment), order);
+    }
+    const auto add = [&](transform::Marginal transform::TransientDensitySnapshot::*marginal,
+                         double transform::ErrorEstimate::*l1) {
+      const double by_chance = std::hypot(error.*l1, (*other.error).*l1);
+      error.*l1 += kick_interval_l1_error(transform::l1_distance(at.*marginal, other.*marginal),
+                                          by_chance, kLargestByChance * by_chance, order);
+    };
+    add(&transform::TransientDensitySnapshot::y, &transform::ErrorEstimate::y_l1);
+    add(&transform::TransientDensitySnapshot::ydot, &transform::ErrorEstimate::ydot_l1);
+  }
+}
+
 // Numbers of periods of the excitation that are simulated without recording the states.
 struct SkippedExcitationPeriods {
   static constexpr double kMostPeriods = 1e6;
@@ -263,13 +294,26 @@ transform::TransientDensities estimate_transient(const problem::Problem& problem
   const int repetitions =
       static_cast<int>(std::ceil(std::max(kFewestPaths, time / time_per_path) / kStreams));
   const double paths = static_cast<double>(repetitions) * kStreams;
-  Simulation simulation(transformed, plan);
-  InitialStateGenerator initial(transformed.system, density, plan.seed);
-  const auto sums = simulate_paths(simulation, initial, repetitions, periods, request,
-                                   transformed.frame, options);
-  for (int k = 0; k <= request.snapshots; ++k) {
-    transient.snapshots.push_back(make_snapshot(sums[static_cast<std::size_t>(k)],
-                                                request.time_of_snapshot(k), paths, request));
+  const auto estimate_snapshots = [&](const SimulationPlan& with_interval, int repeated) {
+    Simulation simulation(transformed, with_interval);
+    InitialStateGenerator initial(transformed.system, density, with_interval.seed);
+    const auto sums =
+        simulate_paths(simulation, initial, repeated, periods, request, transformed.frame, options);
+    std::vector<transform::TransientDensitySnapshot> snapshots;
+    for (int k = 0; k <= request.snapshots; ++k) {
+      snapshots.push_back(make_snapshot(sums[static_cast<std::size_t>(k)],
+                                        request.time_of_snapshot(k),
+                                        static_cast<double>(repeated) * kStreams, request));
+    }
+    return snapshots;
+  };
+  transient.snapshots = estimate_snapshots(plan, repetitions);
+  transient.details = fmt::format("{:.0f} paths", paths);
+  if (const auto doubled = plan_with_doubled_kick_interval(transformed, plan)) {
+    add_kick_interval_errors(estimate_snapshots(*doubled, (repetitions + 1) / 2),
+                             request.periodic ? 0 : 1, order_in_kick_interval(plan),
+                             transient.snapshots);
+    transient.details += ", errors with that of the interval between noise kicks";
   }
   transient.status = Status::ok;
   if (request.periodic) {
@@ -278,7 +322,6 @@ transform::TransientDensities estimate_transient(const problem::Problem& problem
                            : short_burn_in_reason(plan, options);
   }
   if (!transient.reason.empty()) transient.status = Status::inaccurate;
-  transient.details = fmt::format("{:.0f} paths", paths);
   transient.seconds = stopwatch.seconds();
   return transient;
 }

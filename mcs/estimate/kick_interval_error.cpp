@@ -9,9 +9,8 @@
 #include "transform/marginal_density.hpp"
 
 namespace fpkcheck::mcs {
-namespace {
 
-bool interval_causes_error(const SimulationPlan& plan) {
+bool kick_interval_affects_stationary_density(const SimulationPlan& plan) {
   if (plan.excitation.arrivals == ImpulseProcess::Arrivals::even) return true;
   const SimulatedOscillator& oscillator = plan.oscillator;
   const bool is_exact = plan.kicks.damping > 0 && !oscillator.left.has_impact_losses() &&
@@ -27,38 +26,62 @@ int order_in_kick_interval(const SimulationPlan& plan) {
   return is_first_order ? 1 : 2;
 }
 
-}  // namespace
+double kick_interval_error(double difference, double standard_error, int order) {
+  return std::max(std::abs(difference), standard_error) / (std::exp2(order) - 1);
+}
+
+double kick_interval_l1_error(double l1_distance, double expected_by_chance,
+                              double largest_by_chance, int order) {
+  // The sampling errors of the bins increase the L1 distance between two simulations. An L1
+  // distance that sampling errors may explain counts as half of the mean distance by sampling
+  // errors.
+  constexpr double kUnresolvedFraction = 0.5;
+  const double resolved =
+      l1_distance <= largest_by_chance
+          ? kUnresolvedFraction * expected_by_chance
+          : std::sqrt(l1_distance * l1_distance - expected_by_chance * expected_by_chance);
+  return resolved / (std::exp2(order) - 1);
+}
+
+std::optional<double> longest_kick_interval(const SimulationPlan& plan) {
+  if (plan.kicks.is_acting()) return plan.kicks.longest_interval;
+  const bool is_even = plan.excitation.arrivals == ImpulseProcess::Arrivals::even;
+  return is_even ? std::optional(plan.excitation.interval) : std::nullopt;
+}
+
+void scale_kick_intervals(const problem::Problem& problem, double factor, SimulationPlan& plan) {
+  const double before = *longest_kick_interval(plan);
+  if (plan.kicks.is_acting()) {
+    plan.kicks.longest_interval *= factor;
+    plan.kicks.shortest_interval *= factor;
+  } else {
+    plan.excitation = white_noise_impulse_process(problem.impulses, factor * before);
+  }
+  plan.expected_event_rate += 1 / (factor * before) - 1 / before;
+}
 
 std::optional<SimulationPlan> plan_with_doubled_kick_interval(const problem::Problem& problem,
                                                               const SimulationPlan& plan) {
-  if (!interval_causes_error(plan)) return std::nullopt;
+  if (!longest_kick_interval(plan)) return std::nullopt;
   SimulationPlan doubled = plan;
   doubled.deposit = std::nullopt;
   doubled.seed = ~plan.seed;  // other random numbers than those of the first simulation
-  if (plan.kicks.is_acting()) {
-    doubled.kicks.longest_interval *= 2;
-    doubled.kicks.shortest_interval *= 2;
-    doubled.kicks.fraction_near_wall *= 2;
-  } else {
-    doubled.excitation =
-        white_noise_impulse_process(problem.impulses, 2 * plan.excitation.interval);
-  }
+  scale_kick_intervals(problem, 2, doubled);
+  doubled.kicks.fraction_near_wall *= 2;
   return doubled;
 }
 
 transform::ErrorEstimate estimate_kick_interval_error(const transform::Solution& solution,
                                                       const Simulation& doubled) {
-  // The error at the kick interval h is a fraction 1/(2^p - 1) of the difference between the
-  // results at 2h and h, with the order p.
-  const double fraction = 1 / (std::exp2(order_in_kick_interval(doubled.plan_of_simulation())) - 1);
+  const int order = order_in_kick_interval(doubled.plan_of_simulation());
   const TrajectoryStreamWeights weights(excess_impulse_power_per_stream(doubled));
   const MomentEstimates moments = estimate_moments(doubled, weights);
   transform::ErrorEstimate error;
   for (const auto& [name, symbol, moment, size] : transform::kMoments) {
     const double by_chance =
         std::hypot(solution.standard_errors->moments.*moment, moments.standard_errors.*moment);
-    const double difference = std::abs(moments.means.*moment - solution.moments.*moment);
-    error.moments.*moment = fraction * std::max(by_chance, difference);
+    const double difference = moments.means.*moment - solution.moments.*moment;
+    error.moments.*moment = kick_interval_error(difference, by_chance, order);
   }
   const auto l1_error = [&](transform::StateVariable variable) {
     // The number of effective samples affects only confidence limits, which the estimate of the
@@ -72,12 +95,7 @@ transform::ErrorEstimate estimate_kick_interval_error(const transform::Solution&
         std::hypot(*transform::expected_l1_error(*solution.sampling, variable), sampling.expected);
     const double largest_by_chance = std::hypot(
         *transform::l1_error_quantile_99(*solution.sampling, variable), sampling.quantile_99);
-    // The sampling errors of the bins increase the L1 distance between two simulations. An L1
-    // distance that sampling errors may explain counts as half of the mean distance by sampling
-    // errors.
-    constexpr double kUnresolvedFraction = 0.5;
-    if (l1 <= largest_by_chance) return fraction * kUnresolvedFraction * by_chance;
-    return fraction * std::sqrt(l1 * l1 - by_chance * by_chance);
+    return kick_interval_l1_error(l1, by_chance, largest_by_chance, order);
   };
   error.y_l1 = l1_error(transform::StateVariable::y);
   error.ydot_l1 = l1_error(transform::StateVariable::ydot);

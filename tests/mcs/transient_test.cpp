@@ -108,6 +108,31 @@ TEST(SimulationOverTime, HasFiniteMomentsWhereTheNoiseVanishes) {
   for (const auto& s : result.snapshots) EXPECT_TRUE(std::isfinite(s.moments.v2)) << s.time;
 }
 
+// A second simulation with half of the paths cannot resolve an error below sqrt(3) standard errors.
+// With impact losses, for which the error is of first order, the stated error is 1 + sqrt(3)
+// standard errors.
+TEST(SimulationOverTime, StatesTheErrorByTheIntervalBetweenNoiseKicks) {
+  constexpr double kPaths = 10 * 2048;
+  const auto result = estimate_transient(tests::make_problem({.restitution = 0.5}),
+                                         {.equation = DensityEquation::white, .time = 4 * kPaths},
+                                         transient_request(4, 1));
+  ASSERT_EQ(result.status, Status::ok) << result.reason;
+  const auto in_standard_errors = [](const transform::TransientDensitySnapshot& at) {
+    const double variance = at.moments.v4 - at.moments.v2 * at.moments.v2;
+    return at.error->moments.v2 / std::sqrt(variance / kPaths);
+  };
+  EXPECT_NEAR(in_standard_errors(result.snapshots[0]), 1, 0.01);
+  EXPECT_GT(in_standard_errors(result.snapshots[1]), 0.95 * (1 + std::sqrt(3)));
+  EXPECT_LT(in_standard_errors(result.snapshots[1]), 6);
+  double sampling_error = 0;  // of p(y') in L1
+  const transform::Marginal& ydot = result.snapshots[1].ydot;
+  for (std::size_t b = 0; b < ydot.size(); ++b) {
+    const double probability = ydot.density[b] * ydot.bin_width(b);
+    sampling_error += std::sqrt(2 / M_PI * probability * (1 - probability) / kPaths);
+  }
+  EXPECT_GT(result.snapshots[1].error->ydot_l1, 1.8 * sampling_error);
+}
+
 TEST(SimulationOverTime, FindsThePeriodicState) {
   problem::Problem problem =
       tests::with_impulses(problem::System({.damping = 0.4, .stiffness = 1}, {.none = true}),

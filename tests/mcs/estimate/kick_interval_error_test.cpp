@@ -14,9 +14,8 @@ namespace {
 
 using problem::Problem;
 
-std::optional<SimulationPlan> doubled_plan(const Problem& problem,
-                                           const SimulationOptions& options = {}) {
-  return plan_with_doubled_kick_interval(problem, make_simulation_plan(problem, options));
+bool affects_density(const Problem& problem, const SimulationOptions& options = {}) {
+  return kick_interval_affects_stationary_density(make_simulation_plan(problem, options));
 }
 
 Problem oscillator_under_noise(const problem::SystemCoefficients& coefficients,
@@ -26,18 +25,18 @@ Problem oscillator_under_noise(const problem::SystemCoefficients& coefficients,
 }
 
 TEST(KickIntervalError, IsAbsentWhereKicksAndFlightsPreserveTheLaw) {
-  EXPECT_FALSE(doubled_plan(oscillator_under_noise({.damping = 0.1, .cubic = 0.3}, 1)));
-  EXPECT_FALSE(doubled_plan(tests::make_problem({})));  // impulses without kicks
+  EXPECT_FALSE(affects_density(oscillator_under_noise({.damping = 0.1, .cubic = 0.3}, 1)));
+  EXPECT_FALSE(affects_density(tests::make_problem({})));  // impulses without kicks
   // Each of the following properties causes an error.
-  EXPECT_TRUE(doubled_plan(oscillator_under_noise({.damping = 0.1, .stiffness = 1}, 0.9)));
-  EXPECT_TRUE(doubled_plan(
+  EXPECT_TRUE(affects_density(oscillator_under_noise({.damping = 0.1, .stiffness = 1}, 0.9)));
+  EXPECT_TRUE(affects_density(
       oscillator_under_noise({.damping = 0.1, .van_der_pol = 0.1, .stiffness = 1}, 1)));
   Problem with_impulses =
       tests::with_noise(problem::System({.damping = 0.1, .stiffness = 1}, {.none = true}), 0.2);
   with_impulses.impulses = tests::gaussian_impulses(1, 0.5);
-  EXPECT_TRUE(doubled_plan(with_impulses));
-  EXPECT_TRUE(
-      doubled_plan(tests::make_problem({.restitution = 1}), {.equation = DensityEquation::white}));
+  EXPECT_TRUE(affects_density(with_impulses));
+  EXPECT_TRUE(affects_density(tests::make_problem({.restitution = 1}),
+                              {.equation = DensityEquation::white}));
 }
 
 TEST(KickIntervalError, ComparesWithTwiceTheIntervalAndOtherRandomNumbers) {
@@ -48,6 +47,8 @@ TEST(KickIntervalError, ComparesWithTwiceTheIntervalAndOtherRandomNumbers) {
   EXPECT_EQ(doubled.kicks.shortest_interval, 2 * plan.kicks.shortest_interval);
   EXPECT_EQ(doubled.kicks.fraction_near_wall, 2 * plan.kicks.fraction_near_wall);
   EXPECT_NE(doubled.seed, plan.seed);
+  const Problem impulses = tests::make_problem({});
+  EXPECT_FALSE(plan_with_doubled_kick_interval(impulses, make_simulation_plan(impulses, {})));
 
   const Problem paper = tests::make_problem({});
   const SimulationOptions white{.equation = DensityEquation::white};
@@ -55,6 +56,15 @@ TEST(KickIntervalError, ComparesWithTwiceTheIntervalAndOtherRandomNumbers) {
   const SimulationPlan even_doubled = *plan_with_doubled_kick_interval(paper, even);
   EXPECT_EQ(even_doubled.excitation.interval, 2 * even.excitation.interval);
   EXPECT_EQ(even_doubled.excitation.arrivals, ImpulseProcess::Arrivals::even);
+}
+
+TEST(KickIntervalError, ExtrapolatesADifferenceThatTheSimulationsResolve) {
+  EXPECT_DOUBLE_EQ(kick_interval_error(-0.3, 0.1, 1), 0.3);
+  EXPECT_DOUBLE_EQ(kick_interval_error(0.3, 0.1, 2), 0.1);
+  EXPECT_DOUBLE_EQ(kick_interval_error(0.05, 0.1, 1), 0.1);
+  EXPECT_DOUBLE_EQ(kick_interval_l1_error(0.5, 0.3, 0.4, 1), 0.4);
+  EXPECT_DOUBLE_EQ(kick_interval_l1_error(0.5, 0.3, 0.4, 2), 0.4 / 3);
+  EXPECT_DOUBLE_EQ(kick_interval_l1_error(0.35, 0.3, 0.4, 1), 0.15);
 }
 
 TEST(KickIntervalError, IsPartOfTheErrorThatTheAccuracyLimits) {
