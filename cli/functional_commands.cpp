@@ -53,9 +53,9 @@ law below the barrier, hazard (rate of passages in the limit of long times). For
 the probability that y leaves at B. Finite volumes or finite differences (fd) solve the backward
 equation below the barrier on three or more grids, whose differences give the error. The method
 characteristics, for displacements without noise, computes the same quantities to more digits, along
-the motion between impulses. The simulation measures the stays below the barrier and states standard
-errors. The column rice is the usual approximation by independent upward crossings of a displacement
-at Rice's rate.
+the motion between impulses. The simulation measures the stays below the barrier, or splits
+trajectories if passages are rare, and states standard errors. The column rice is the usual
+approximation by independent upward crossings of a displacement at Rice's rate.
 Exit code 0 when the estimated errors are below --accuracy: relative errors, and absolute errors of
 survival probabilities.
 

@@ -13,6 +13,9 @@
 #include "base/process/parallel_for.hpp"
 #include "base/process/stopwatch.hpp"
 #include "mcs/applicability.hpp"
+#include "mcs/estimate/kick_interval_error.hpp"
+#include "mcs/passage/level_crossings.hpp"
+#include "mcs/passage/rare_passages.hpp"
 #include "mcs/simulation/simulation.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
 #include "problem/effective_potential.hpp"
@@ -29,7 +32,7 @@ constexpr double kSamplesPerPeriod = 60;
 // Relative standard error of the mean passage time at which the simulation ends. The simulated time
 // is limited by the number of periods and by the number of impulses, kicks and flights, both summed
 // over all streams; the limits correspond to about 10 s of computing.
-constexpr double kGoal = 0.01, kMostPeriods = 2e6, kMostPassageEvents = 6e7;
+constexpr double kGoal = 0.01, kMostPeriods = 3e6, kMostPassageEvents = 9e7;
 // Least number of stays for a result, and least number of stays for an end of the simulation at
 // kGoal: stays are correlated, and a standard error computed from few stays may be accidentally
 // small.
@@ -38,287 +41,78 @@ constexpr double kMostRecords = 1e5;  // largest number of stored records of a s
 constexpr int kRounds = 50;           // number of rounds of the longest simulation
 // Time, in decay times of the slowest mode, after which the hazard is treated as constant
 constexpr double kDecayTimes = 3;
+// The same time with splitting, in which all stays end at this time
+constexpr double kDecayTimesOfRareStays = 6;
+// Part of the longest simulation after which splitting replaces the simulation if the simulation
+// would not reach kGoal: 1/kTrials
+constexpr std::uint64_t kTrials = 10;
+constexpr double kLargestRareError = 0.2;  // largest relative standard error with splitting
 
-// Finds the crossings of a level in evenly spaced samples, by linear interpolation between samples.
-// A parabola through three samples finds excursions above the level between samples.
-class LevelCrossingDetector {
- public:
-  /// @param starts_below whether the state before the first sample is below the level
-  LevelCrossingDetector(double level, double interval, bool starts_below = false)
-      : level_(level), interval_(interval), starts_below_(starts_below) {}
-
-  /// Calls `on_upcrossing` and `on_downcrossing` with the times of the level crossings between the
-  /// previous sample and the sample y.
-  template <class Up, class Down>
-  void add_sample(double y, const Up& on_upcrossing, const Down& on_downcrossing) {
-    if (count_ == 0 && y >= level_ && starts_below_) {
-      on_upcrossing(0);
-    } else if (count_ >= 1 && y >= level_ && last_ < level_) {
-      on_upcrossing(crossing_time(y));
-    } else if (count_ >= 1 && y < level_ && last_ >= level_) {
-      on_downcrossing(crossing_time(y));
-    } else if (count_ >= 2 && y < level_ && last_ < level_ && before_ < level_ &&
-               last_ >= before_ && last_ >= y) {
-      const double slope = (y - before_) / 2, curvature = y - 2 * last_ + before_;
-      const double excess = curvature < 0 ? last_ - slope * slope / (2 * curvature) - level_ : -1;
-      if (excess > 0) {
-        const double top = -slope / curvature, half = std::sqrt(-2 * excess / curvature);
-        const double at = static_cast<double>(count_) - 1 + top;
-        on_upcrossing((at - half) * interval_);
-        on_downcrossing((at + half) * interval_);
-      }
-    }
-    before_ = last_;
-    last_ = y;
-    ++count_;
-  }
-
-  bool is_above() const { return count_ > 0 && last_ >= level_; }
-  double elapsed_time() const { return static_cast<double>(count_) * interval_; }
-
- private:
-  double crossing_time(double y) const {
-    return (static_cast<double>(count_) - 1 + (level_ - last_) / (y - last_)) * interval_;
-  }
-
-  double level_, interval_;
-  bool starts_below_;
-  double before_ = 0, last_ = 0;
-  std::uint64_t count_ = 0;
-};
-
-// The potential of the spring: a polynomial, or a table of the potential of a formula. Without the
-// table, each value of the potential would take ten evaluations of the formula.
-class TabulatedPotential {
- public:
-  TabulatedPotential(const problem::Problem& problem, const problem::MotionScales& scales)
-      : potential_(problem.system), low_(scales.y_low) {
-    if (potential_.polynomial_or_null() != nullptr) return;
-    step_ = (scales.y_high - scales.y_low) / kIntervals;
-    for (int n = 0; n <= kIntervals; ++n) {
-      const double y = low_ + n * step_;
-      values_.push_back(potential_(y));
-      slopes_.push_back(potential_.potential_slope(y));
-    }
-  }
-
-  double operator()(double y) const {
-    if (potential_.polynomial_or_null() != nullptr) return (*potential_.polynomial_or_null())(y);
-    const double node = (y - low_) / step_;
-    if (!(node >= 0 && node < kIntervals)) return potential_(y);
-    const auto n = static_cast<std::size_t>(node);
-    // Cubic Hermite interpolation
-    const double t = node - static_cast<double>(n), u = 1 - t;
-    return u * u * (1 + 2 * t) * values_[n] + t * t * (1 + 2 * u) * values_[n + 1] +
-           t * u * step_ * (u * slopes_[n] - t * slopes_[n + 1]);
-  }
-
- private:
-  static constexpr int kIntervals = 4096;
-
-  problem::EffectivePotential potential_;
-  double low_, step_ = 0;
-  std::vector<double> values_, slopes_;
-};
-
-// An energy level in wall coordinates.
-struct EnergyLevelForPassage {
-  TabulatedPotential potential;
-  double level;
-  /// Variance of the velocity change by an impulse, if evenly spaced impulses replace white noise
-  double impulse_variance;
-  bool has_noise;  ///< whether noise kicks or evenly spaced impulses change the energy
-};
-
-// Finds the crossings of an energy level in the recorded states of a stream.
-class EnergyCrossingDetector {
- public:
-  /// @param energy must outlive this object
-  /// @param starts_below whether the state before the first recorded state is below the level
-  EnergyCrossingDetector(const EnergyLevelForPassage& energy, double simulated_time_per_round,
-                         double sampling_interval, bool starts_below = false)
-      : energy_(&energy),
-        round_time_(simulated_time_per_round),
-        sampling_interval_(sampling_interval) {
-    if (starts_below) last_ = -1;
-  }
-
-  template <class Up, class Down>
-  void add_round(const std::vector<RecordedState>& states, const Up& on_upcrossing,
-                 const Down& on_downcrossing) {
-    elapsed_ += round_time_;
-    for (const RecordedState& state : states) {
-      const double excess = energy(state) - energy_->level;
-      if (state.event == RecordedState::Event::sample) {
-        time_below_ += excess < 0 ? sampling_interval_ : 0;
-        // Under noise only the states after kicks count, with the shifted barrier.
-        if (energy_->has_noise) continue;
-      }
-      add_excess(excess + barrier_shift(state), elapsed_ - state.time_to_end, on_upcrossing,
-                 on_downcrossing);
-    }
-  }
-
-  bool is_above() const { return last_ && *last_ >= 0; }
-  double elapsed_time() const { return elapsed_; }
-  double time_below() const { return time_below_; }
-
- private:
-  double energy(const RecordedState& state) const {
-    return state.v * state.v / 2 + energy_->potential(state.y);
-  }
-
-  // Returns the distance by which the barrier is lower for a state after a noise kick.
-  double barrier_shift(const RecordedState& state) const {
-    constexpr double kShift = 0.5826;  // -zeta(1/2) / sqrt(2 pi)
-    const double variance = state.event == RecordedState::Event::after_impulse
-                                ? energy_->impulse_variance
-                                : state.kick_variance;
-    return kShift * std::abs(state.v) * std::sqrt(variance);
-  }
-
-  template <class Up, class Down>
-  void add_excess(double excess, double time, const Up& on_upcrossing,
-                  const Down& on_downcrossing) {
-    if (last_ && (excess >= 0) != (*last_ >= 0)) {
-      const double at = std::lerp(time, last_time_, excess / (excess - *last_));
-      excess >= 0 ? on_upcrossing(energy_->has_noise ? time : at) : on_downcrossing(at);
-    }
-    last_ = excess;
-    last_time_ = time;
-  }
-
-  const EnergyLevelForPassage* energy_;
-  double round_time_, sampling_interval_;
-  double elapsed_ = 0, time_below_ = 0;
-  std::optional<double> last_ = {};  // excess of the last state; empty before the first state
-  double last_time_ = 0;
-};
-
-// Barriers of the displacement in wall coordinates: y = centre + half_width and, with two barriers,
-// y = centre - half_width. With one barrier the centre is 0.
-struct DisplacementBarriers {
-  double half_width;
-  double centre = 0;
-  bool are_two = false;
-
-  // Returns the function of y whose upcrossings of `half_width` are the passages.
-  double distance(double y) const { return are_two ? std::abs(y - centre) : y; }
-};
-
-DisplacementBarriers displacement_barriers(const problem::WallFrame& frame,
-                                           const transform::PassageBarrier& barrier) {
-  const double upper = frame.wall_coordinate(barrier.level);
-  if (!barrier.lower_level) return {.half_width = upper};
-  const double lower = frame.wall_coordinate(*barrier.lower_level);
-  return {.half_width = (upper - lower) / 2, .centre = (upper + lower) / 2, .are_two = true};
-}
-
-// A barrier in wall coordinates: displacements or an energy level.
-using PassageLevel = std::variant<DisplacementBarriers, EnergyLevelForPassage>;
-
-// Finds the crossings of a barrier in the rounds of one stream.
-class TrajectoryBarrierCrossings {
- public:
-  /// @param starts_below whether the stream starts below the barrier
-  TrajectoryBarrierCrossings(const PassageLevel& level, const SimulationPlan& plan,
-                             bool starts_below)
-      : detector_(make_detector(level, plan, starts_below)) {
-    if (const auto* barriers = std::get_if<DisplacementBarriers>(&level)) barriers_ = *barriers;
-  }
-
-  /// Calls `on_upcrossing` and `on_downcrossing` with the times of the crossings in a round, and
-  /// removes the records of the round.
-  template <class Up, class Down>
-  void add_round(Simulation& simulation, std::size_t stream, const Up& on_upcrossing,
-                 const Down& on_downcrossing) {
-    std::vector<double>& series = simulation.displacement_series(stream);
-    std::vector<RecordedState>& states = simulation.recorded_states(stream);
-    if (auto* displacement = std::get_if<LevelCrossingDetector>(&detector_)) {
-      for (const double y : series) {
-        displacement->add_sample(
-            barriers_.distance(y),
-            [&](double time) {
-              last_passage_is_upper_ = y > barriers_.centre;
-              on_upcrossing(time);
-            },
-            on_downcrossing);
-      }
-    } else {
-      std::get<EnergyCrossingDetector>(detector_).add_round(states, on_upcrossing, on_downcrossing);
-    }
-    series.clear();
-    states.clear();
-  }
-
-  bool is_above() const {
-    return std::visit([](const auto& detector) { return detector.is_above(); }, detector_);
-  }
-  double elapsed_time() const {
-    return std::visit([](const auto& detector) { return detector.elapsed_time(); }, detector_);
-  }
-  /// Returns whether the last upcrossing was a passage of the upper displacement barrier.
-  bool last_passage_is_upper() const { return last_passage_is_upper_; }
-  /// Returns the time below an energy level; empty for a displacement.
-  std::optional<double> time_below_energy() const {
-    const auto* energy = std::get_if<EnergyCrossingDetector>(&detector_);
-    return energy != nullptr ? std::optional(energy->time_below()) : std::nullopt;
-  }
-
- private:
-  using Detector = std::variant<LevelCrossingDetector, EnergyCrossingDetector>;
-  static Detector make_detector(const PassageLevel& level, const SimulationPlan& plan,
-                                bool starts_below) {
-    if (const auto* energy = std::get_if<EnergyLevelForPassage>(&level)) {
-      return EnergyCrossingDetector(*energy, plan.simulated_time_per_round(),
-                                    plan.sampling_interval, starts_below);
-    }
-    return LevelCrossingDetector(std::get<DisplacementBarriers>(level).half_width,
-                                 plan.sampling_interval, starts_below);
-  }
-
-  Detector detector_;
-  DisplacementBarriers barriers_ = {};
-  bool last_passage_is_upper_ = false;
-};
-
-// Sums over the stays of one stream below the barrier. A stay lasts from a downcrossing to the next
-// upcrossing; l is the length of a stay.
+// Sums over the stays of one stream, or of one replication of the splitting, below the barrier. A
+// stay lasts from a downcrossing to the next upcrossing; l is the length of a stay.
 struct BelowBarrierSojournSums {
   double stays = 0, length = 0, square = 0;
   double length_to_upper = 0;         // length of the stays that end at the upper of two barriers
-  std::vector<double> excess;         // sums of (l - t)^+, one for each time t of the survival
+  std::vector<double> excess = {};    // sums of (l - t)^+, one for each time t of the survival
   double long_stays = 0, longer = 0;  // number of stays l > t, and sum of (l - t)^+, t: hazard time
   double below = 0, whole = 0, crossings = 0;  // time below the barrier, whole time, upcrossings
+
+  void add(const BelowBarrierSojournSums& other, double factor) {
+    excess.resize(other.excess.size());
+    for (std::size_t k = 0; k < excess.size(); ++k) excess[k] += factor * other.excess[k];
+    for (double BelowBarrierSojournSums::*sum :
+         {&BelowBarrierSojournSums::stays, &BelowBarrierSojournSums::length,
+          &BelowBarrierSojournSums::length_to_upper, &BelowBarrierSojournSums::square,
+          &BelowBarrierSojournSums::long_stays, &BelowBarrierSojournSums::longer,
+          &BelowBarrierSojournSums::below, &BelowBarrierSojournSums::whole,
+          &BelowBarrierSojournSums::crossings}) {
+      this->*sum += factor * other.*sum;
+    }
+  }
 };
 
-// Returns the ratio of two sums over all streams, with the standard error of the linearised ratio.
-ValueWithError ratio_of_sums(
+// Returns a function of the sums over all streams or replications, with the standard error of the
+// jackknife.
+ValueWithError estimate_from_sums(
     const std::vector<BelowBarrierSojournSums>& streams,
-    const std::function<double(const BelowBarrierSojournSums&)>& numerator,
-    const std::function<double(const BelowBarrierSojournSums&)>& denominator) {
-  double top = 0, bottom = 0, square = 0;
-  for (const BelowBarrierSojournSums& s : streams) {
-    top += numerator(s);
-    bottom += denominator(s);
-  }
-  const double value = top / bottom;
-  for (const BelowBarrierSojournSums& s : streams)
-    square += std::pow(numerator(s) - value * denominator(s), 2);
+    const std::function<double(const BelowBarrierSojournSums&)>& function) {
+  BelowBarrierSojournSums all;
+  for (const BelowBarrierSojournSums& s : streams) all.add(s, 1);
   const auto n = static_cast<double>(streams.size());
-  return {value, std::sqrt(square * n / (n - 1)) / std::abs(bottom)};
+  double mean = 0, square = 0;
+  std::vector<double> without_one;
+  for (const BelowBarrierSojournSums& s : streams) {
+    BelowBarrierSojournSums others = all;
+    others.add(s, -1);
+    without_one.push_back(function(others));
+    mean += without_one.back() / n;
+  }
+  for (const double value : without_one) square += std::pow(value - mean, 2);
+  return {function(all), std::sqrt(square * (n - 1) / n)};
 }
 
-ValueWithError mean_time_from_stationary(const std::vector<BelowBarrierSojournSums>& streams) {
-  return ratio_of_sums(
-      streams, [](const BelowBarrierSojournSums& s) { return s.square / 2; },
-      [](const BelowBarrierSojournSums& s) { return s.length; });
-}
+double hazard(const BelowBarrierSojournSums& s) { return s.long_stays / s.longer; }
 
 // Returns the largest number of samples of a stream in a round, since all samples, impulses and
 // kicks of a round are stored.
 double most_samples_per_round(const SimulationPlan& plan) {
   return kMostRecords / (1 + plan.expected_event_rate * plan.sampling_interval);
+}
+
+// Returns the longest interval h between noise kicks for an energy level. The change of the energy
+// by a kick, at most sqrt(2 H) sqrt(2 D h) standard deviations below the level H above the minimum
+// of the potential, must be a fraction of H.
+double longest_kick_interval_below(const problem::Problem& problem, const SimulationPlan& plan,
+                                   double energy) {
+  constexpr double kFraction = 0.25;
+  const problem::EffectivePotential potential(problem.system);
+  double lowest = std::min(potential(potential.y_low()), potential(potential.y_high()));
+  for (const double y : potential.extremum_positions()) lowest = std::min(lowest, potential(y));
+  const double height = transform::energy_level_in_wall_coordinates(problem, energy) - lowest;
+  const double diffusion = plan.kicks.is_acting() ? plan.kicks.diffusion
+                                                  : plan.excitation.width * plan.excitation.width /
+                                                        (2 * plan.excitation.interval);
+  return kFraction * kFraction * height / (4 * diffusion);
 }
 
 // Returns the least distance from a displacement barrier to the wall beyond the barrier; empty
@@ -337,18 +131,27 @@ std::optional<double> distance_to_wall(const problem::Problem& transformed,
   return distance;
 }
 
-// @param distance_to_wall distance from a barrier to the wall beyond the barrier; may be empty
 SimulationPlan make_passage_plan(const problem::Problem& problem, const SimulationOptions& options,
                                  const problem::MotionScales& scales,
-                                 const std::optional<double>& distance_to_wall) {
+                                 const transform::PassageBarrier& barrier) {
   SimulationPlan plan = make_simulation_plan(problem, options);
+  if (const auto kick_interval = longest_kick_interval(plan);
+      kick_interval && barrier.is_energy()) {
+    constexpr double kLeastFactor = 1.0 / 64;  // limits the computing time of the burn-in
+    const double factor =
+        longest_kick_interval_below(problem, plan, barrier.level) / *kick_interval;
+    if (factor < 1) scale_kick_intervals(problem, std::max(factor, kLeastFactor), plan);
+  }
   const double period = 2 * std::numbers::pi / scales.frequency;
   plan.sampling_interval = period / kSamplesPerPeriod;
+  // Histograms, which no passage needs, take a third of the computing time with many bins.
+  plan.y_bins = BinFinder({scales.y_low, scales.y_high});
+  plan.v_bins = BinFinder({-scales.v_high, scales.v_high});
   // An excursion beyond a barrier that hits the wall may be shorter than the sampling interval, and
   // has a kink, which the parabola of LevelCrossingDetector does not follow.
   constexpr double kSamplesToWall = 8;
-  if (distance_to_wall) {
-    const double time_to_wall = *distance_to_wall / scales.velocity_deviation;
+  if (const auto distance = distance_to_wall(problem, barrier)) {
+    const double time_to_wall = *distance / scales.velocity_deviation;
     plan.sampling_interval = std::min(plan.sampling_interval, time_to_wall / kSamplesToWall);
   }
   const double most_samples = kMostPeriods * kSamplesPerPeriod;
@@ -366,10 +169,8 @@ SimulationPlan make_passage_plan(const problem::Problem& problem, const Simulati
 class BelowBarrierSojournCounter {
  public:
   BelowBarrierSojournCounter(const PassageLevel& level, const SimulationPlan& plan,
-                             double hazard_time, const std::vector<double>& times)
-      : crossings_(level, plan, false), hazard_time_(hazard_time), times_(times) {
-    sums_.excess.resize(times.size());
-  }
+                             double hazard_time)
+      : crossings_(level, plan, false), hazard_time_(hazard_time) {}
 
   /// Adds a round of a stream.
   void add_round(Simulation& simulation, std::size_t stream) {
@@ -377,6 +178,14 @@ class BelowBarrierSojournCounter {
         simulation, stream, [this](double time) { end_stay(time); },
         [this](double time) { begin_stay(time); });
     if (!closing_) sums_.whole = crossings_.elapsed_time();
+  }
+
+  /// Sets the times of the survival probabilities.
+  void set_times(const std::vector<double>& times) {
+    times_ = times;
+    sums_.excess.resize(times.size());
+    for (const double stay : stays_) add_excess(stay);
+    stays_.clear();
   }
 
   /// Ends the counting of new stays. Further samples only complete a stay that has begun: the stays
@@ -405,9 +214,7 @@ class BelowBarrierSojournCounter {
     sums_.length += stay;
     sums_.square += stay * stay;
     if (crossings_.last_passage_is_upper()) sums_.length_to_upper += stay;
-    for (std::size_t k = 0; k < times_.size(); ++k) {
-      sums_.excess[k] += std::max(0.0, stay - times_[k]);
-    }
+    times_ ? add_excess(stay) : stays_.push_back(stay);
     if (stay > hazard_time_) {
       ++sums_.long_stays;
       sums_.longer += stay - hazard_time_;
@@ -420,9 +227,16 @@ class BelowBarrierSojournCounter {
     entered_ = time;
   }
 
+  void add_excess(double stay) {
+    for (std::size_t k = 0; k < times_->size(); ++k) {
+      sums_.excess[k] += std::max(0.0, stay - (*times_)[k]);
+    }
+  }
+
   TrajectoryBarrierCrossings crossings_;
   double hazard_time_;
-  const std::vector<double>& times_;
+  std::optional<std::vector<double>> times_ = {};
+  std::vector<double> stays_ = {};  // lengths of the stays before the call of set_times()
   BelowBarrierSojournSums sums_;
   std::optional<double> begin_ = {};  // begin of the present stay; empty before the first stay
   double entered_ = 0;                // time of the last crossing
@@ -435,58 +249,217 @@ double stay_count(const std::vector<BelowBarrierSojournSums>& streams) {
   return stays;
 }
 
-// Simulates the stationary process until the standard error is at most kGoal, and returns the sums
-// of all streams; empty if a stay lasts as long as the simulation.
-std::optional<std::vector<BelowBarrierSojournSums>> simulate_stays(
-    Simulation& simulation, const PassageLevel& level, double hazard_time,
-    const std::vector<double>& times, const SimulationOptions& options) {
-  const SimulationPlan& plan = simulation.plan_of_simulation();
-  const auto streams = static_cast<std::size_t>(plan.streams);
-  std::vector<BelowBarrierSojournCounter> counters(streams, {level, plan, hazard_time, times});
-  const auto simulate_and_sample_one_round = [&] {
-    simulation.simulate_and_sample_one_round();
-    base::parallel_for(streams, plan.threads,
-                       [&](std::size_t s) { counters[s].add_round(simulation, s); });
-  };
-  const auto all_sums = [&] {
+// Simulation of the stays below a barrier in the stationary process.
+class StaySimulation {
+ public:
+  StaySimulation(const problem::Problem& problem, const SimulationPlan& plan,
+                 const PassageLevel& level, double hazard_time, const SimulationOptions& options,
+                 double goal)
+      : simulation_(problem, plan),
+        options_(&options),
+        goal_(goal),
+        counters_(static_cast<std::size_t>(plan.streams), {level, plan, hazard_time}) {
+    std::holds_alternative<EnergyLevelForPassage>(level)
+        ? simulation_.enable_state_recording()
+        : simulation_.enable_displacement_recording();
+    simulation_.run_burn_in();
+  }
+
+  /// Simulates up to the given number of rounds, until the relative standard error is at most the
+  /// goal.
+  void simulate_rounds(std::uint64_t rounds) {
+    while (simulation_.sampling_round_count() < rounds && !has_reached_goal()) {
+      run_round();
+      if (options_->progress) {
+        options_->progress({static_cast<double>(simulation_.sampling_round_count()) /
+                            static_cast<double>(simulation_.plan_of_simulation().rounds) / 2});
+      }
+    }
+  }
+
+  void set_times(const std::vector<double>& times) {
+    for (BelowBarrierSojournCounter& counter : counters_) counter.set_times(times);
+  }
+
+  /// Completes the stays that have begun.
+  /// @return whether all stays are complete, in twice the simulated time
+  bool complete_stays() {
+    for (BelowBarrierSojournCounter& counter : counters_) counter.stop_counting();
+    const auto has_open_stay = [&] {
+      return std::ranges::any_of(counters_, &BelowBarrierSojournCounter::has_open_stay);
+    };
+    const std::uint64_t most_rounds =
+        simulation_.sampling_round_count() + simulation_.plan_of_simulation().rounds;
+    while (simulation_.sampling_round_count() < most_rounds && has_open_stay()) run_round();
+    return !has_open_stay();
+  }
+
+  std::vector<BelowBarrierSojournSums> sums() const {
     std::vector<BelowBarrierSojournSums> sums;
-    for (const BelowBarrierSojournCounter& counter : counters) sums.push_back(counter.sums());
+    for (const BelowBarrierSojournCounter& counter : counters_) sums.push_back(counter.sums());
     return sums;
+  }
+
+  /// Returns the mean time from the stationary law to the passage, from the complete stays.
+  ValueWithError mean_time() const {
+    return estimate_from_sums(
+        sums(), [](const BelowBarrierSojournSums& s) { return s.square / 2 / s.length; });
+  }
+
+  bool has_reached_goal() const {
+    if (options_->time || stay_count(sums()) < kFewestStaysAtGoal) return false;
+    const ValueWithError mean = mean_time();
+    return mean.error <= goal_ * mean.value;
+  }
+
+  /// Returns the expected relative standard error of the mean time after all rounds of the plan;
+  /// infinite with too few stays.
+  double expected_relative_error() const {
+    if (stay_count(sums()) < kFewestStays) return std::numeric_limits<double>::infinity();
+    const ValueWithError mean = mean_time();
+    return mean.error / mean.value *
+           std::sqrt(static_cast<double>(simulation_.sampling_round_count()) /
+                     static_cast<double>(simulation_.plan_of_simulation().rounds));
+  }
+
+ private:
+  void run_round() {
+    simulation_.simulate_and_sample_one_round();
+    base::parallel_for(counters_.size(), simulation_.plan_of_simulation().threads,
+                       [&](std::size_t s) { counters_[s].add_round(simulation_, s); });
+  }
+
+  Simulation simulation_;
+  const SimulationOptions* options_;
+  double goal_;
+  std::vector<BelowBarrierSojournCounter> counters_;
+};
+
+// Stays below the barrier in the stationary process.
+struct StationaryStays {
+  // of each stream or replication; empty for too few stays
+  std::vector<BelowBarrierSojournSums> sums = {};
+  std::vector<double> times = {};  // times of the survival probabilities
+  /// Time after which the hazard is treated as constant in place of a simulation; infinite without
+  /// splitting
+  double horizon = std::numeric_limits<double>::infinity();
+  std::string details = {};
+  /// Reason why `sums` is empty, or why its errors are large; otherwise empty
+  std::string reason = {};
+};
+
+// Returns the sums over the stays of the splitting, per unit time of the stationary process.
+std::vector<BelowBarrierSojournSums> sums_of_replications(
+    const std::vector<RarePassages>& replications, double horizon,
+    const std::vector<double>& times) {
+  std::vector<BelowBarrierSojournSums> sums;
+  for (const RarePassages& r : replications) {
+    BelowBarrierSojournSums s{.length = 1 - r.weight * r.time_above, .whole = 1};
+    s.crossings = r.weight * static_cast<double>(r.crossings);
+    s.below = 1 - r.weight * r.time_above_given_barrier;
+    s.square = 2 * horizon * s.length;
+    s.longer = s.length;
+    s.excess.assign(times.size(), s.length);
+    for (const double stay : r.stays) {
+      s.square -= r.weight * stay * (2 * horizon - stay);
+      s.longer -= r.weight * stay;
+      s.long_stays += stay >= horizon ? r.weight : 0;
+      for (std::size_t k = 0; k < times.size(); ++k) {
+        s.excess[k] -= r.weight * std::min(stay, times[k]);
+      }
+    }
+    sums.push_back(std::move(s));
+  }
+  return sums;
+}
+
+// Estimates the stays by splitting, with the times of the survival probabilities unless `times`
+// gives these times.
+// @param largest_error largest relative standard error of the hazard for a result
+std::optional<StationaryStays> estimate_rare_stays(const problem::Problem& problem,
+                                                   const SimulationPlan& plan,
+                                                   const PassageLevel& level,
+                                                   const problem::MotionScales& scales,
+                                                   const std::vector<double>& times, double goal,
+                                                   double largest_error) {
+  const double horizon = kDecayTimesOfRareStays / scales.slowest_decay_rate;
+  const auto estimate_hazard = [&](const std::vector<RarePassages>& replications) {
+    return estimate_from_sums(sums_of_replications(replications, horizon, {}), hazard);
   };
-  simulation.run_burn_in();
-  for (std::uint64_t round = 0; round < plan.rounds; ++round) {
-    simulate_and_sample_one_round();
-    if (options.progress) {
-      options.progress({static_cast<double>(round + 1) / static_cast<double>(plan.rounds) / 2});
-    }
-    const auto sums = all_sums();
-    const ValueWithError mean = mean_time_from_stationary(sums);
-    if (!options.time && stay_count(sums) >= kFewestStaysAtGoal &&
-        mean.error <= kGoal * mean.value) {
-      break;
-    }
+  const double time =
+      static_cast<double>(plan.rounds) * plan.simulated_time_per_round() * plan.streams;
+  const RarePassageRun run =
+      simulate_rare_passages(problem, plan, level, scales, horizon, time, [&](const auto& so_far) {
+        const ValueWithError g = estimate_hazard(so_far);
+        return g.error <= goal * g.value;
+      });
+  if (run.replications.empty()) return std::nullopt;
+  const ValueWithError g = estimate_hazard(run.replications);
+  if (!(g.error <= largest_error * g.value)) return std::nullopt;
+  StationaryStays stays{.times = times, .horizon = horizon};
+  if (times.empty()) stays.times = transform::automatic_survival_times(1 / g.value);
+  stays.sums = sums_of_replications(run.replications, horizon, stays.times);
+  if (g.error > kLargestRareError * g.value) {
+    stays.reason = fmt::format(
+        "rare passages: the relative standard error of the hazard is {:.2g}; increase --time",
+        g.error / g.value);
   }
-  for (BelowBarrierSojournCounter& counter : counters) counter.stop_counting();
-  const std::uint64_t most_rounds = plan.rounds;  // a stay may last as long as the simulation
-  for (std::uint64_t round = 0;
-       round < most_rounds &&
-       std::ranges::any_of(counters, &BelowBarrierSojournCounter::has_open_stay);
-       ++round) {
-    simulate_and_sample_one_round();
+  stays.details = fmt::format("{} replications of the splitting with {} levels",
+                              run.replications.size(), run.levels);
+  return stays;
+}
+
+// Estimates the stays by one long simulation, or by splitting if the long simulation contains too
+// few passages.
+StationaryStays estimate_stays(const problem::Problem& problem, const SimulationPlan& plan,
+                               const PassageLevel& level, const problem::MotionScales& scales,
+                               const std::vector<double>& times, const SimulationOptions& options,
+                               double goal) {
+  const std::uint64_t trial = options.time ? plan.rounds : (plan.rounds + kTrials - 1) / kTrials;
+  StaySimulation simulation(problem, plan, level, kDecayTimes / scales.slowest_decay_rate, options,
+                            goal);
+  simulation.simulate_rounds(trial);
+  const double expected_error = simulation.expected_relative_error();
+  const bool has_too_few = stay_count(simulation.sums()) < kFewestStays;
+  // The levels of the splitting lead to the end with the lower energy of two barriers alone.
+  const auto* barriers = std::get_if<DisplacementBarriers>(&level);
+  const bool can_split = barriers == nullptr || !barriers->are_two;
+  if (can_split &&
+      (options.time ? has_too_few : !simulation.has_reached_goal() && expected_error > goal)) {
+    const auto rare =
+        estimate_rare_stays(problem, plan, level, scales, times, goal, expected_error);
+    if (rare) return *rare;
   }
-  if (std::ranges::any_of(counters, &BelowBarrierSojournCounter::has_open_stay))
-    return std::nullopt;
-  return all_sums();
+  simulation.simulate_rounds(plan.rounds);
+  StationaryStays stays{.times = times};
+  const double count = stay_count(simulation.sums());
+  if (count < kFewestStays) {
+    stays.reason = fmt::format("only {} passages in the simulated time; increase --time", count);
+    return stays;
+  }
+  if (!times.empty()) simulation.set_times(times);
+  if (!simulation.complete_stays()) {
+    stays.reason = "a stay below the barrier lasted longer than the simulation; increase --time";
+    return stays;
+  }
+  if (times.empty()) {
+    stays.times = transform::automatic_survival_times(simulation.mean_time().value);
+    simulation.set_times(stays.times);
+  }
+  stays.sums = simulation.sums();
+  stays.details = fmt::format("{:.0f} stays below the barrier", stay_count(stays.sums));
+  return stays;
 }
 
 // Simulates passages from a state in wall coordinates, to which each stream returns in the round
-// after a passage. Every stream makes the same number of passages, since a limit of the simulated
-// time would favour short passages.
+// after a passage, or after the time StationaryStays::horizon without a passage. Every stream makes
+// the same number of passages, since a limit of the simulated time would favour short passages.
 // Sets the values of `result` for the start from a point; the mean time is absent if the passages
 // take too long.
+// @param mean approximate mean time of a simulated passage
 void simulate_passages_from_point(Simulation& simulation, const PassageLevel& level,
                                   const transform::PassageStartState& start, double mean,
-                                  double most_time, const std::vector<double>& times,
+                                  double most_time, const StationaryStays& stationary,
                                   const SimulationOptions& options,
                                   transform::FirstPassageResult& result) {
   constexpr double kMostPassages = 5e3, kFewestPerStream = 4;
@@ -525,8 +498,12 @@ void simulate_passages_from_point(Simulation& simulation, const PassageLevel& le
             if (!passage) passage = {time + offset, crossings[s].last_passage_is_upper()};
           },
           [](double) {});
+      if (!passage && crossings[s].elapsed_time() >= stationary.horizon)
+        passage = {stationary.horizon, true};
       if (passage) {
-        if (found[s].size() < passages) found[s].push_back(*passage);
+        if (found[s].size() < passages) {
+          found[s].push_back({std::min(passage->time, stationary.horizon), passage->is_upper});
+        }
         crossings[s] = at_start;
         simulation.restart_trajectory_stream(s, start.y, start.ydot);
       }
@@ -536,27 +513,42 @@ void simulate_passages_from_point(Simulation& simulation, const PassageLevel& le
       options.progress({0.5 + 0.5 * static_cast<double>(finished) / static_cast<double>(streams)});
     }
   }
-  // Returns the mean of f(passage) over all passages, with the standard error of the mean.
-  const auto mean_of = [&](const std::function<double(const Passage&)>& f) -> ValueWithError {
-    double sum = 0, square = 0;
+  const ValueWithError g = std::isfinite(stationary.horizon)
+                               ? estimate_from_sums(stationary.sums, hazard)
+                               : ValueWithError{};
+  const auto is_open = [&](double time) { return time >= stationary.horizon; };
+  // Returns the mean of f(passage time, hazard g) over all passages. The standard error contains
+  // the error of the hazard after the horizon.
+  const auto mean_of = [&](const std::function<double(double, double)>& f) -> ValueWithError {
+    double sum = 0, square = 0, changed = 0;
     const double n = static_cast<double>(streams) * per_stream;
     for (const auto& of_stream : found) {
       for (const Passage& passage : of_stream) {
-        sum += f(passage);
-        square += f(passage) * f(passage);
+        sum += f(passage.time, g.value);
+        square += std::pow(f(passage.time, g.value), 2);
+        changed += f(passage.time, g.value + g.error);
       }
     }
-    return {sum / n, std::sqrt(std::max(0.0, square / n - sum / n * (sum / n)) / (n - 1))};
+    const double by_chance = std::sqrt(std::max(0.0, square / n - sum / n * (sum / n)) / (n - 1));
+    return {sum / n, std::hypot(by_chance, (changed - sum) / n)};
   };
-  for (const double t : times) {
-    result.survival_from_point.push_back(
-        mean_of([t](const Passage& passage) { return passage.time > t ? 1.0 : 0.0; }));
+  for (const double t : stationary.times) {
+    result.survival_from_point.push_back(mean_of([&](double time, double hazard_rate) {
+      if (t < stationary.horizon) return time > t ? 1.0 : 0.0;
+      return is_open(time) ? std::exp(-hazard_rate * (t - stationary.horizon)) : 0.0;
+    }));
   }
-  result.mean_from_point = mean_of([](const Passage& passage) { return passage.time; });
-  const auto* barriers = std::get_if<DisplacementBarriers>(&level);
-  if (barriers != nullptr && barriers->are_two) {
-    result.upper_exit_from_point =
-        mean_of([](const Passage& passage) { return passage.is_upper ? 1.0 : 0.0; });
+  result.mean_from_point = mean_of([&](double time, double hazard_rate) {
+    return time + (is_open(time) ? 1 / hazard_rate : 0.0);
+  });
+  if (const auto* barriers = std::get_if<DisplacementBarriers>(&level);
+      barriers != nullptr && barriers->are_two) {
+    double upper = 0;
+    const double n = static_cast<double>(streams) * per_stream;
+    for (const auto& of_stream : found) {
+      upper += static_cast<double>(std::ranges::count_if(of_stream, &Passage::is_upper)) / n;
+    }
+    result.upper_exit_from_point = {upper, std::sqrt(upper * (1 - upper) / (n - 1))};
   }
 }
 
@@ -577,11 +569,19 @@ std::string unsupported_barrier_reason(const problem::Problem& transformed,
              : "";
 }
 
+DisplacementBarriers displacement_barriers(const problem::WallFrame& frame,
+                                           const transform::PassageBarrier& barrier) {
+  const double upper = frame.wall_coordinate(barrier.level);
+  if (!barrier.lower_level) return {.half_width = upper};
+  const double lower = frame.wall_coordinate(*barrier.lower_level);
+  return {.half_width = (upper - lower) / 2, .centre = (upper + lower) / 2, .are_two = true};
+}
+
 EnergyLevelForPassage energy_passage_level(const problem::Problem& transformed,
                                            const SimulationPlan& plan,
                                            const problem::MotionScales& scales, double energy) {
   const bool even = plan.excitation.arrivals == ImpulseProcess::Arrivals::even;
-  return {.potential = {transformed, scales},
+  return {.potential = {problem::EffectivePotential(transformed.system), scales},
           .level = transform::energy_level_in_wall_coordinates(transformed, energy),
           .impulse_variance = even ? plan.excitation.width * plan.excitation.width : 0,
           .has_noise = even || plan.kicks.is_acting()};
@@ -591,80 +591,61 @@ bool is_below(const transform::PassageStartState& state, const EnergyLevelForPas
   return state.ydot * state.ydot / 2 + energy.potential(state.y) < energy.level;
 }
 
-}  // namespace
-
-transform::FirstPassageResult estimate_passage(const problem::Problem& problem,
-                                               const SimulationOptions& options,
-                                               const transform::PassageBarrier& barrier,
-                                               const std::vector<double>& times,
-                                               std::optional<transform::PassageStartState> start) {
-  const base::Stopwatch stopwatch;
+// Estimates the passage with the interval between noise kicks of a plan.
+// @param goal relative standard error of the mean passage time at which the simulation ends
+transform::FirstPassageResult estimate_passage_with_plan(
+    const problem::Problem& transformed, const SimulationPlan& plan,
+    const problem::MotionScales& scales, const SimulationOptions& options,
+    const transform::PassageBarrier& barrier, const std::vector<double>& times,
+    std::optional<transform::PassageStartState> start, double goal) {
   transform::FirstPassageResult passage{.id = solution_id(options)};
   passage.has_standard_errors = true;
-  const problem::Problem transformed =
-      problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
-  passage.reason = unsupported_functional_reason(transformed, options);
-  if (passage.reason.empty()) passage.reason = unsupported_barrier_reason(transformed, barrier);
-  if (!passage.reason.empty()) {
-    passage.status = Status::not_offered;
-    return passage;
-  }
-  const problem::MotionScales scales = problem::motion_scales(transformed);
   const bool is_energy = barrier.is_energy();
   const double displacement = transformed.frame.wall_coordinate(barrier.level);
-  const SimulationPlan plan =
-      make_passage_plan(transformed, options, scales, distance_to_wall(transformed, barrier));
   const PassageLevel level = is_energy
                                  ? energy_passage_level(transformed, plan, scales, barrier.level)
                                  : PassageLevel(displacement_barriers(transformed.frame, barrier));
-  const auto enable_records = [&](Simulation& simulation) {
-    is_energy ? simulation.enable_state_recording() : simulation.enable_displacement_recording();
-  };
-  Simulation stationary(transformed, plan);
-  enable_records(stationary);
-  const auto found =
-      simulate_stays(stationary, level, kDecayTimes / scales.slowest_decay_rate, times, options);
-  const double stays = found ? stay_count(*found) : 0;
-  if (stays < kFewestStays) {
-    passage.reason =
-        found ? fmt::format("only {} passages in the simulated time; increase --time", stays)
-              : "a stay below the barrier lasted longer than the simulation; increase --time";
+  const StationaryStays stays =
+      estimate_stays(transformed, plan, level, scales, times, options, goal);
+  if (stays.sums.empty()) {
+    passage.reason = stays.reason;
     passage.status = Status::not_converged;
-    passage.seconds = stopwatch.seconds();
     return passage;
   }
-  const std::vector<BelowBarrierSojournSums>& sums = *found;
+  const std::vector<BelowBarrierSojournSums>& sums = stays.sums;
+  const double horizon = stays.horizon;
+  const bool is_rare = std::isfinite(horizon);
   // Under noise the barrier of the stays is shifted. The mean time from a state between the shifted
   // and the given barrier is 0, so that the means refer to the time below the given barrier.
-  const bool is_shifted = std::holds_alternative<EnergyLevelForPassage>(level) &&
-                          std::get<EnergyLevelForPassage>(level).has_noise;
+  const bool is_shifted = is_energy && std::get<EnergyLevelForPassage>(level).has_noise;
   const auto length = [is_shifted](const BelowBarrierSojournSums& s) {
     return is_shifted ? s.below : s.length;
   };
-  const auto whole = [](const BelowBarrierSojournSums& s) { return s.whole; };
-  passage.mean_from_stationary = ratio_of_sums(
-      sums, [](const BelowBarrierSojournSums& s) { return s.square / 2; }, length);
+  passage.mean_from_stationary = estimate_from_sums(sums, [&](const BelowBarrierSojournSums& s) {
+    return (s.square / 2 + (is_rare ? s.longer / hazard(s) : 0)) / length(s);
+  });
   double long_stays = 0;
   for (const BelowBarrierSojournSums& s : sums) long_stays += s.long_stays;
-  if (long_stays >= kFewestStays) {
-    passage.hazard = ratio_of_sums(
-        sums, [](const BelowBarrierSojournSums& s) { return s.long_stays; },
-        [](const BelowBarrierSojournSums& s) { return s.longer; });
-  }
+  if (is_rare || long_stays >= kFewestStays) passage.hazard = estimate_from_sums(sums, hazard);
   if (!is_energy) {
-    passage.rice_rate = ratio_of_sums(
-        sums, [](const BelowBarrierSojournSums& s) { return s.crossings; }, whole);
+    passage.rice_rate = estimate_from_sums(
+        sums, [](const BelowBarrierSojournSums& s) { return s.crossings / s.whole; });
   }
-  passage.probability_below = ratio_of_sums(
-      sums, [](const BelowBarrierSojournSums& s) { return s.below; }, whole);
+  passage.probability_below =
+      estimate_from_sums(sums, [](const BelowBarrierSojournSums& s) { return s.below / s.whole; });
   if (barrier.lower_level) {
-    passage.upper_exit_from_stationary = ratio_of_sums(
-        sums, [](const BelowBarrierSojournSums& s) { return s.length_to_upper; }, length);
+    passage.upper_exit_from_stationary = estimate_from_sums(
+        sums, [&](const BelowBarrierSojournSums& s) { return s.length_to_upper / length(s); });
   }
-  passage.times = times;
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    passage.survival_from_stationary.push_back(ratio_of_sums(
-        sums, [k](const BelowBarrierSojournSums& s) { return s.excess[k]; }, length));
+  passage.times = stays.times;
+  for (std::size_t k = 0; k < passage.times.size(); ++k) {
+    const double time = passage.times[k];
+    passage.survival_from_stationary.push_back(
+        estimate_from_sums(sums, [&](const BelowBarrierSojournSums& s) {
+          return (time > horizon ? s.longer * std::exp(-hazard(s) * (time - horizon))
+                                 : s.excess[k]) /
+                 length(s);
+        }));
   }
 
   std::optional<double> lower;
@@ -676,24 +657,102 @@ transform::FirstPassageResult estimate_passage(const problem::Problem& problem,
     start.reset();
   if (start) {
     SimulationPlan from_point = plan;
-    const double mean = passage.mean_from_stationary->value;
+    const double mean = std::min(passage.mean_from_stationary->value, horizon);
     from_point.samples_per_round = static_cast<std::uint64_t>(
         std::ceil(std::min(mean / 10 / plan.sampling_interval, most_samples_per_round(plan))));
     Simulation restarted(transformed, from_point);
-    enable_records(restarted);
-    simulate_passages_from_point(restarted, level, *start, mean, sums.front().whole * plan.streams,
-                                 times, options, passage);
+    is_energy ? restarted.enable_state_recording() : restarted.enable_displacement_recording();
+    const double time =
+        is_rare ? static_cast<double>(plan.rounds) * plan.simulated_time_per_round() * plan.streams
+                : sums.front().whole * plan.streams;
+    simulate_passages_from_point(restarted, level, *start, mean, time, stays, options, passage);
   }
-  passage.details = fmt::format("{:.0f} stays below the barrier", stays);
+  passage.details = stays.details;
   passage.reason = short_burn_in_reason(plan, options);
   passage.status = passage.reason.empty() ? Status::ok : Status::not_converged;
-  // At low levels and high noise intensities the means are up to 8 % too large (case 1 with
-  // noise.intensity = 0.1, level 0.05).
-  if (is_shifted && passage.status == Status::ok) {
+  if (passage.status == Status::ok && !stays.reason.empty()) {
     passage.status = Status::inaccurate;
-    passage.reason =
-        "passages of the energy between noise kicks are found approximately, and the error of this "
-        "approximation is unknown; use fd";
+    passage.reason = stays.reason;
+  }
+  return passage;
+}
+
+// Adds the errors by the interval between noise kicks to the standard errors.
+// @param doubled result with twice the interval
+void add_kick_interval_errors_of_passage(const transform::FirstPassageResult& doubled,
+                                         transform::FirstPassageResult& passage) {
+  // A barrier is passed between kicks too, which leaves an error of first order.
+  constexpr int kOrder = 1;
+  const auto error_of = [](const ValueWithError& at, const ValueWithError& at_doubled) {
+    return kick_interval_error(at_doubled.value - at.value, std::hypot(at.error, at_doubled.error),
+                               kOrder);
+  };
+  const ValueWithError mean = *passage.mean_from_stationary,
+                       mean_of_doubled = *doubled.mean_from_stationary;
+  using Result = transform::FirstPassageResult;
+  for (std::optional<ValueWithError> Result::*quantity :
+       {&Result::hazard, &Result::mean_from_point, &Result::mean_from_stationary,
+        &Result::rice_rate, &Result::probability_below, &Result::upper_exit_from_point,
+        &Result::upper_exit_from_stationary}) {
+    std::optional<ValueWithError>& value = passage.*quantity;
+    if (!value) continue;
+    const std::optional<ValueWithError>& other = doubled.*quantity;
+    other ? void(value->error += error_of(*value, *other)) : value.reset();
+  }
+  for (std::vector<ValueWithError> Result::*survival :
+       {&Result::survival_from_point, &Result::survival_from_stationary}) {
+    std::vector<ValueWithError>& values = passage.*survival;
+    const std::vector<ValueWithError>& others = doubled.*survival;
+    if (values.size() != others.size()) values.clear();
+    for (std::size_t k = 0; k < values.size(); ++k)
+      values[k].error += error_of(values[k], others[k]);
+  }
+  // Largest difference of the mean times for status ok, relative and in standard errors
+  constexpr double kLargestDifference = 0.05, kLargestInStandardErrors = 2;
+  const double difference = std::abs(mean_of_doubled.value - mean.value);
+  if (passage.status == Status::ok && difference > kLargestDifference * mean.value &&
+      difference > kLargestInStandardErrors * std::hypot(mean.error, mean_of_doubled.error)) {
+    passage.status = Status::inaccurate;
+    passage.reason = fmt::format(
+        "twice the interval between noise kicks changes the mean time by {:.2g} %; use fd",
+        100 * difference / mean.value);
+  }
+}
+
+}  // namespace
+
+transform::FirstPassageResult estimate_passage(const problem::Problem& problem,
+                                               const SimulationOptions& options,
+                                               const transform::PassageBarrier& barrier,
+                                               const std::vector<double>& times,
+                                               std::optional<transform::PassageStartState> start) {
+  const base::Stopwatch stopwatch;
+  transform::FirstPassageResult passage{.id = solution_id(options)};
+  const problem::Problem transformed =
+      problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
+  passage.reason = unsupported_functional_reason(transformed, options);
+  if (passage.reason.empty()) passage.reason = unsupported_barrier_reason(transformed, barrier);
+  if (!passage.reason.empty()) {
+    passage.status = Status::not_offered;
+    return passage;
+  }
+  const problem::MotionScales scales = problem::motion_scales(transformed);
+  const SimulationPlan plan = make_passage_plan(transformed, options, scales, barrier);
+  passage =
+      estimate_passage_with_plan(transformed, plan, scales, options, barrier, times, start, kGoal);
+  auto doubled = plan_with_doubled_kick_interval(transformed, plan);
+  if (doubled && passage.mean_from_stationary) {
+    doubled->rounds = (plan.rounds + 1) / 2;
+    const auto with_doubled_interval =
+        estimate_passage_with_plan(transformed, *doubled, scales, options, barrier, passage.times,
+                                   start, std::numbers::sqrt2 * kGoal);
+    if (with_doubled_interval.mean_from_stationary) {
+      add_kick_interval_errors_of_passage(with_doubled_interval, passage);
+    } else {
+      passage.status = Status::not_converged;
+      passage.reason =
+          "too few passages for the error of the interval between noise kicks; increase --time";
+    }
   }
   passage.seconds = stopwatch.seconds();
   return passage;

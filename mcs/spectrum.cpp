@@ -308,8 +308,8 @@ transform::SpectralDensity estimate_spectrum_with_plan(const problem::Problem& t
 // Adds the errors by the interval between noise kicks to the standard errors.
 // @param doubled spectral density with twice the interval
 // @param order order of the errors in the interval
-void add_kick_interval_errors(const transform::SpectralDensity& doubled, int order,
-                              transform::SpectralDensity& spectrum) {
+void add_kick_interval_errors_of_spectrum(const transform::SpectralDensity& doubled, int order,
+                                          transform::SpectralDensity& spectrum) {
   const auto add = [order](double value, double other, double other_error, double& error) {
     error += kick_interval_error(other - value, std::hypot(error, other_error), order);
   };
@@ -357,9 +357,10 @@ transform::SpectralDensity estimate_spectrum(const problem::Problem& problem,
                                          length, nyquist);
   if (auto doubled = plan_with_doubled_kick_interval(transformed, plan)) {
     doubled->rounds = std::max(std::uint64_t{kFewestRounds}, (plan.rounds + 1) / 2);
-    add_kick_interval_errors(estimate_spectrum_with_plan(transformed, *doubled, options, variable,
-                                                         frequencies, lags, length, nyquist),
-                             order_in_kick_interval(plan), spectrum);
+    add_kick_interval_errors_of_spectrum(
+        estimate_spectrum_with_plan(transformed, *doubled, options, variable, frequencies, lags,
+                                    length, nyquist),
+        order_in_kick_interval(plan), spectrum);
   }
   spectrum.reason = short_burn_in_reason(plan, options);
   constexpr double kShortestLength = 20;  // in decay times

@@ -18,7 +18,9 @@ namespace fpkcheck::mcs {
 /// estimates of the bias: the alias, from the decrease of the spectrum G(w) ~ w^-4 above the
 /// largest frequency, and the smoothing by the spectral window, from a second spectrum with
 /// segments of half the length. The autocovariance is the Fourier transform of the averaged
-/// periodograms, divided by the autocorrelation of Hann's window.
+/// periodograms, divided by the autocorrelation of Hann's window. Under noise the
+/// errors contain an estimate of the error by the interval between noise kicks, from a second
+/// simulation with twice the interval.
 /// @param frequencies increasing angular frequencies w >= 0
 /// @param lags increasing times t >= 0 of the autocovariance R(t)
 /// @throws InputError as make_simulation_plan()

@@ -153,9 +153,9 @@ transform::TransientDensitySnapshot make_snapshot(const SnapshotHistograms& sums
 // @param doubled snapshots with twice the interval
 // @param first index of the first snapshot that depends on the interval
 // @param order order of the errors in the interval
-void add_kick_interval_errors(const std::vector<transform::TransientDensitySnapshot>& doubled,
-                              std::size_t first, int order,
-                              std::vector<transform::TransientDensitySnapshot>& snapshots) {
+void add_kick_interval_errors_of_snapshots(
+    const std::vector<transform::TransientDensitySnapshot>& doubled, std::size_t first, int order,
+    std::vector<transform::TransientDensitySnapshot>& snapshots) {
   // L1 distance of two simulations, in expected L1 distances by sampling errors, up to which
   // sampling errors may explain the distance
   constexpr double kLargestByChance = 1.5;
@@ -310,9 +310,9 @@ transform::TransientDensities estimate_transient(const problem::Problem& problem
   transient.snapshots = estimate_snapshots(plan, repetitions);
   transient.details = fmt::format("{:.0f} paths", paths);
   if (const auto doubled = plan_with_doubled_kick_interval(transformed, plan)) {
-    add_kick_interval_errors(estimate_snapshots(*doubled, (repetitions + 1) / 2),
-                             request.periodic ? 0 : 1, order_in_kick_interval(plan),
-                             transient.snapshots);
+    add_kick_interval_errors_of_snapshots(estimate_snapshots(*doubled, (repetitions + 1) / 2),
+                                          request.periodic ? 0 : 1, order_in_kick_interval(plan),
+                                          transient.snapshots);
     transient.details += ", errors with that of the interval between noise kicks";
   }
   transient.status = Status::ok;

@@ -42,8 +42,10 @@ struct SpectralDensity {
   /// Absolute error of the spectral density at each frequency: estimated discretisation error, or
   /// standard error
   std::vector<double> error = {};
-  bool has_standard_errors = false;  ///< whether `error` contains standard errors of a simulation
-  double variance = 0;               ///< variance of the variable, from the same solution
+  /// Whether `error` contains standard errors of a simulation,
+  /// under noise plus an estimate of the error by the interval between noise kicks
+  bool has_standard_errors = false;
+  double variance = 0;  ///< variance of the variable, from the same solution
   double variance_error = 0;
   std::optional<SpectralPeak> peak = {};  ///< highest local maximum; absent without a maximum
   /// Autocovariance R(t) at the requested times t >= 0, and absolute errors of R(t). A simulation

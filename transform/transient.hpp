@@ -42,7 +42,9 @@ struct TransientDensities {
   Status status = Status::failed;
   std::string reason = {};  ///< reason of the status, one sentence; empty only for status ok
   double seconds = 0;
-  bool has_standard_errors = false;  ///< whether the errors are standard errors of a simulation
+  /// Whether the errors are standard errors of a simulation,
+  /// under noise plus an estimate of the error by the interval between noise kicks
+  bool has_standard_errors = false;
   std::vector<TransientDensitySnapshot> snapshots =
       {};                    ///< snapshots up to the last time that was reached
   std::string details = {};  ///< grid, order or number of paths, for tables

@@ -31,7 +31,8 @@ void BackwardEquationExcitation::for_each_amplitude(
   for (std::size_t piece = 0; piece + 1 < pieces.size(); ++piece) {
     const double low = std::max(pieces[piece], from), high = std::min(pieces[piece + 1], to);
     if (low >= high) continue;
-    const int panels = static_cast<int>(std::ceil((high - low) / law->deviation()));
+    const int panels =
+        static_cast<int>(std::ceil((high - low) / law->amplitude_standard_deviation()));
     for (const auto& [amplitude, weight] : numerics::composite_gauss_points<8>(low, high, panels)) {
       add(amplitude, weight * law->density(amplitude));
     }

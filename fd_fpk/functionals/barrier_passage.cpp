@@ -33,7 +33,8 @@ BarrierGrid make_barrier_grid(const DisplacementPassageProblem& passage,
   const double period = 2 * std::numbers::pi / passage.scales.frequency;
   const double by_noise = std::min(std::sqrt(2 * excitation.diffusion * period),
                                    std::cbrt(excitation.diffusion * (strip.upper - strip.lower)));
-  const double by_impulse = excitation.impulse_rate > 0 ? excitation.law->deviation() : 0;
+  const double by_impulse =
+      excitation.impulse_rate > 0 ? excitation.law->amplitude_standard_deviation() : 0;
   const double nodes = refinement * std::clamp(kNodesPerDeviation * strip.largest_speed /
                                                    std::hypot(by_noise, by_impulse),
                                                kFewest, kMost);
@@ -71,7 +72,7 @@ Eigen::VectorXd upper_exit_probabilities(const ShiftedLinearSystem& system,
       failure = model.failure_reason();
       return {};
     }
-    const Eigen::VectorXd u = *w + system.shift() * model.shifted_solution(0);
+    const Eigen::VectorXd u = *w + system.resolvent_shift() * model.shifted_solution(0);
     Eigen::VectorXd values(functionals.size());
     for (std::size_t k = 0; k < functionals.size(); ++k) {
       values(static_cast<Eigen::Index>(k)) = functionals[k].dot(u);

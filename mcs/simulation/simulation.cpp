@@ -118,6 +118,17 @@ void Simulation::restart_trajectory_stream(std::size_t stream, double y, double 
   }
 }
 
+void Simulation::continue_branch(std::size_t stream, const TrajectoryBranch& branch) {
+  TrajectoryStream& own = streams_[stream];
+  own.branch = branch;
+  if (!std::isfinite(plan_->excitation.interval)) return;
+  const Impulse next = own.source.next_impulse();
+  own.branch.amplitude = next.amplitude;
+  if (plan_->excitation.arrivals == ImpulseProcess::Arrivals::poisson) {
+    own.branch.time_to_impulse = next.waiting_time;
+  }
+}
+
 // Returns the contact forces on the left wall and on the right wall at the time t.
 std::array<double, 2> Simulation::contact_forces_at_time(double t) const {
   const double force = plan_->time.external_force(t);

@@ -50,6 +50,10 @@ class Simulation {
   /// Sets the state of a trajectory stream to (y, v). After a restart the first sample is taken
   /// half a sampling interval later, and the first impulse comes after a new waiting time.
   void restart_trajectory_stream(std::size_t stream, double y, double v);
+  /// Continues a branch of any stream between two rounds in the given stream, with new random
+  /// numbers after the present time: new impulses at new times, unless the impulses are evenly
+  /// spaced.
+  void continue_branch(std::size_t stream, const TrajectoryBranch& branch);
 
   const SimulationPlan& plan_of_simulation() const { return *plan_; }
   std::uint64_t sampling_round_count() const { return rounds_; }

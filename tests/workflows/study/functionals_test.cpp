@@ -395,14 +395,15 @@ right_restitution = 0.5
   const auto &fd = study.passages.at(0), &simulated = study.passages.at(1);
   ASSERT_EQ(fd.status, Status::ok) << fd.reason;
   EXPECT_NEAR(fd.mean_from_point->value, kQuarter, 1e-3 * kQuarter);
-  EXPECT_NEAR(simulated.mean_from_point->value, kQuarter, 3.5 * simulated.mean_from_point->error);
+  // Under noise the stated error is at least 2.7 standard errors.
+  EXPECT_NEAR(simulated.mean_from_point->value, kQuarter, 1.3 * simulated.mean_from_point->error);
   options.start = {};
   const PassageStudy at_rest = study_passage(problem, options, {});
   ASSERT_EQ(at_rest.passages.at(0).status, Status::ok) << at_rest.passages.at(0).reason;
   EXPECT_NEAR(at_rest.passages.at(0).mean_from_point->value, kHalf, 1e-4 * kHalf);
   const auto& mean = *at_rest.passages.at(1).mean_from_point;
-  EXPECT_NEAR(mean.value, kHalf, 3.5 * mean.error);
-  EXPECT_LT(mean.error, 0.01 * kHalf);
+  EXPECT_NEAR(mean.value, kHalf, 1.3 * mean.error);
+  EXPECT_LT(mean.error, 0.03 * kHalf);
 }
 
 // An interval that is not symmetric to the equilibrium or to the wall, under white noise and under
@@ -433,9 +434,11 @@ TEST(PassageOfTwoBarriers, AgreesWithTheSimulation) {
     EXPECT_EQ(study.passages.at(3).status, Status::not_offered);
     EXPECT_EQ(study.passages.at(4).id, "rice");
     EXPECT_TRUE(has_converged(study));
-    const auto expect_agreement = [](const transform::ValueWithError& a,
-                                     const transform::ValueWithError& b) {
-      EXPECT_NEAR(a.value, b.value, 3.5 * b.error + a.error);
+    // Under noise the stated error is at least 2.7 standard errors.
+    const double limit = is_noise ? 1.3 : 3.5;
+    const auto expect_agreement = [limit](const transform::ValueWithError& a,
+                                          const transform::ValueWithError& b) {
+      EXPECT_NEAR(a.value, b.value, limit * b.error + a.error);
     };
     for (const auto quantity :
          {&FirstPassageResult::hazard, &FirstPassageResult::mean_from_point,

@@ -221,10 +221,11 @@ const base::OptionsDescription<PassageOptions>& passage_option_descriptions() {
               "times", &PassageOptions::times,
               {"LIST",
                "times of the survival probabilities (default: ten times up to three mean times, from "
-               "the first method other than mcs)"}),
+               "the first method)"}),
       "largest relative error of finite volumes, characteristics and bounds, for status ok",
       "simulated time of the stationary process (default: until the standard error of the mean is "
-      "1 %, at most about 10 s of computing)",
+      "1 %, at most about 10 s of computing); splitting of the same simulated time replaces a "
+      "simulation with too few passages",
       "ids of methods: fd-kf, fd-white, fd-km4, .., characteristics, bounds, mcs, mcs-white");
   return description;
 }
