@@ -12,6 +12,7 @@
 
 #include "report/text/text_layout.hpp"
 #include "results/json_conversions.hpp"
+#include "results/marginals_csv.hpp"
 #include "results/run_json.hpp"
 
 namespace fpkcheck::study {
@@ -79,7 +80,9 @@ std::string records_csv_text(const std::vector<StudyRecord>& rows, const std::st
   std::string lines = fmt::format("{}\n", fmt::join(headers, ","));
   for (const auto& row : rows) {
     std::vector<std::string> cells;
-    for (const auto& path : paths) cells.push_back(value_text(value_at(row, path), "{}"));
+    for (const auto& path : paths) {
+      cells.push_back(results::quote_csv_field(value_text(value_at(row, path), "{}")));
+    }
     lines += fmt::format("{}\n", fmt::join(cells, ","));
   }
   return lines;

@@ -45,7 +45,7 @@ std::string records_table_text(const std::vector<StudyRecord>& rows,
                                const report::TerminalTextFormat& format);
 
 /// Returns the records of a study as CSV with a header. In the CSV, absent values and numbers that
-/// are not finite are empty fields.
+/// are not finite are empty fields, and texts with separators are enclosed in quotes.
 /// @param columns paths of the columns, separated by blanks, or NAME=PATH for a column whose header
 ///        differs from its path
 std::string records_csv_text(const std::vector<StudyRecord>& rows, const std::string& columns);

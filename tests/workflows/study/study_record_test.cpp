@@ -21,6 +21,11 @@ TEST(StudyRecord, IsALineOfCsvWithEmptyCellsForMissingValues) {
             "name,n,x,none,missing\none,7,0.125,,\ntwo,,,,\n");
 }
 
+TEST(StudyRecord, HasQuotesAroundTextsWithSeparatorsInCsv) {
+  const std::vector<StudyRecord> rows{{{"case", std::string("a, r = 0.9")}, {"x", 0.5}}};
+  EXPECT_EQ(records_csv_text(rows, "case x"), "case,x\n\"a, r = 0.9\",0.5\n");
+}
+
 TEST(StudyRecord, IsARowOfATableWithDashesForMissingValues) {
   const std::string text = records_table_text(
       kRows, {{"", "who", "name", ""}, {"", "n", "n", ""}, {"", "x", "at.x", "{:.1e}"}}, 80);
