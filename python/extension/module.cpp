@@ -35,6 +35,8 @@
 #include "problem/case_file.hpp"
 #include "report/terminal_tables.hpp"
 #include "results/run_json.hpp"
+#include "workflows/study/functionals/functionals.hpp"
+#include "workflows/study/transient/comparison_over_time.hpp"
 
 namespace fpkcheck::python {
 namespace {
@@ -109,7 +111,17 @@ std::vector<std::string> setting_keys() {
 
 problem::Problem problem_of(const std::string& name, const std::vector<std::string>& settings) {
   std::istringstream empty;
-  return problem::read_case(empty, name, name, settings);
+  return problem::read_case(empty, name, name, settings, problem::CaseNamingRule::from_file,
+                            problem::CaseFileTimeSectionPolicy::allowed);
+}
+
+/// @throws InputError if the excitation changes in time
+void require_constant_excitation(const problem::Problem& problem) {
+  if (!problem.time.is_acting()) return;
+  throw InputError(
+      fmt::format("case {}: the section [time] changes the excitation in time, so that there is no "
+                  "stationary density; use densities_over_time()",
+                  base::in_quotes(problem.name)));
 }
 
 py::dict sections_to_python(const problem::Problem& problem) {
@@ -140,11 +152,13 @@ void bind_problems(py::module_& module) {
   module.def(
       "load_case",
       [](const std::string& name_or_path, const std::vector<std::string>& settings) {
-        return problem::load_case(name_or_path, settings, problem::CaseNamingRule::with_overrides);
+        return problem::load_case(name_or_path, settings, problem::CaseNamingRule::with_overrides,
+                                  problem::CaseFileTimeSectionPolicy::allowed);
       },
       py::arg("name_or_path"), py::arg("settings"));
   module.def("problem_of", problem_of, py::arg("name"), py::arg("settings"));
   module.def("axes_of", [](const problem::Problem& problem) {
+    require_constant_excitation(problem);
     const auto axes = compare::comparison_bins(problem);
     return std::make_tuple(to_array(axes.y_edges), to_array(axes.v_edges));
   });
@@ -171,6 +185,7 @@ methods::ExternalDensity external_density(const std::string& label,
 }
 
 methods::DensityQuadratureGrid points_between_walls(const problem::Problem& problem) {
+  require_constant_excitation(problem);
   return {compare::comparison_bins(problem), problem.system.walls()};
 }
 
@@ -243,6 +258,7 @@ RunPointer solve_task(const std::vector<problem::Problem>& problems,
                       std::optional<double> max_seconds, bool bounds, const py::object& progress,
                       const std::string& command) {
   if (problems.empty()) throw InputError("there is no case to solve; give at least one");
+  for (const auto& problem : problems) require_constant_excitation(problem);
   if (threads < 0) throw InputError(fmt::format("threads = {} (must be 0 or more)", threads));
   RunRequest task{problems, {}, threads, bounds, command};
   auto settings = values_from_python(options);
@@ -300,6 +316,58 @@ py::list curve_list(const std::vector<results::DensityCurve>& curves) {
                               known ? py::object(to_array(curve.upper)) : py::none()));
   }
   return all;
+}
+
+// JSON, CSV and tables of the functional of a problem, as the program writes them.
+using FunctionalTexts = std::tuple<std::string, std::string, std::string>;
+
+// Adds a function that computes a functional of one problem, like the command of the program.
+// @param study function of the command
+template <class Options, class Study>
+void bind_functional(py::module_& module, const char* name,
+                     const base::OptionsDescription<Options>& description,
+                     Study (*study)(const problem::Problem&, const Options&,
+                                    const methods::ProgressListener&),
+                     problem::CaseFileTimeSectionPolicy time_section) {
+  module.def(
+      name,
+      [&description, study, time_section](const problem::Problem& problem, const py::dict& given,
+                                          const std::string& command) -> FunctionalTexts {
+        if (time_section == problem::CaseFileTimeSectionPolicy::refused) {
+          require_constant_excitation(problem);
+        }
+        Options options;
+        for (const auto& [option, value] : values_from_python(given)) {
+          description.assign(options, *description.find(option), value, option + " =");
+        }
+        description.validate(options);
+        const py::gil_scoped_release unlocked;
+        const auto result = std::make_shared<std::optional<Study>>();
+        compute_in_worker_thread(
+            [problem, options, study, result](const WorkerCallbacks& callbacks) {
+              result->emplace(study(problem, options, callbacks.progress));
+            },
+            [](const methods::RunProgress*) {
+              const py::gil_scoped_acquire locked;
+              throw_on_signal();
+            });
+        const Study& computed = **result;
+        return {study_json_text(computed, command), study_csv_text(computed),
+                study_table_text(computed, report::TerminalTextFormat())};
+      },
+      py::arg("problem"), py::arg("options"), py::arg("command"));
+}
+
+void bind_functionals(py::module_& module) {
+  using problem::CaseFileTimeSectionPolicy;
+  bind_functional(module, "passage", study::passage_option_descriptions(), study::study_passage,
+                  CaseFileTimeSectionPolicy::refused);
+  bind_functional(module, "spectrum", study::spectrum_option_descriptions(), study::study_spectrum,
+                  CaseFileTimeSectionPolicy::refused);
+  bind_functional(module, "sensitivity", study::sensitivity_option_descriptions(),
+                  study::study_sensitivity, CaseFileTimeSectionPolicy::refused);
+  bind_functional(module, "densities_over_time", study::transient_comparison_option_descriptions(),
+                  study::compare_over_time, CaseFileTimeSectionPolicy::allowed);
 }
 
 void bind_runs(py::module_& module) {
@@ -364,6 +432,7 @@ PYBIND11_MODULE(_fpkcheck, module) {
   bind_problems(module);
   bind_methods(module);
   bind_runs(module);
+  bind_functionals(module);
 }
 
 }  // namespace fpkcheck::python

@@ -33,19 +33,26 @@ using namespace std::chrono_literals;
 constexpr auto kPollInterval = 50ms;
 constexpr auto kGracePeriod = 300ms;
 
-struct RunCancelled : std::exception {
+struct ComputationCancelled : std::exception {
   const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// A run in progress. The worker thread and the calling thread share the ownership of this object,
-/// since either thread may end last.
-class RunInProgress {
+/// A computation in progress. The worker thread and the calling thread share the ownership of this
+/// object, since either thread may end last.
+class ComputationInProgress {
  public:
-  explicit RunInProgress(RunRequest task) : task_(std::move(task)) {}
+  explicit ComputationInProgress(std::function<void(const WorkerCallbacks&)> compute)
+      : compute_(std::move(compute)) {}
 
   void run() noexcept {
     try {
-      solve_problems();
+      compute_({.progress =
+                    [this](const methods::RunProgress& at) {
+                      throw_if_cancelled();
+                      const std::lock_guard lock(mutex_);
+                      progress_update_ = at;
+                    },
+                .throw_if_cancelled = [this] { throw_if_cancelled(); }});
     } catch (...) {
       failure_ = std::current_exception();
     }
@@ -54,7 +61,7 @@ class RunInProgress {
     changed_.notify_all();
   }
 
-  /// Waits for a limited time and returns whether the run has ended.
+  /// Waits for a limited time and returns whether the computation has ended.
   template <class Duration>
   bool wait_for(Duration duration) {
     std::unique_lock lock(mutex_);
@@ -64,40 +71,25 @@ class RunInProgress {
 
   void cancel() { is_cancelled_ = true; }
 
-  /// Returns the latest progress of the run; empty if the progress has not changed.
+  /// Returns the latest progress; empty if the progress has not changed.
   std::optional<methods::RunProgress> progress_update() {
     const std::lock_guard lock(mutex_);
     return std::exchange(progress_update_, std::nullopt);
   }
 
+  /// @throws the exception with which the computation ended, if any
   /// @pre has_ended()
-  results::Run result() {
+  void rethrow_failure() {
     assert(has_ended());
     if (failure_) std::rethrow_exception(failure_);
-    return std::move(run_);
   }
 
  private:
-  void solve_problems() {
-    run_.program = results::current_program(task_.command);
-    run_.cases = methods::compute_case_results(task_.problems, task_.methods,
-                                               {.threads = task_.threads,
-                                                .with_backward = task_.bounds,
-                                                .progress =
-                                                    [this](const methods::RunProgress& at) {
-                                                      throw_if_cancelled();
-                                                      const std::lock_guard lock(mutex_);
-                                                      progress_update_ = at;
-                                                    },
-                                                .poll = [this] { throw_if_cancelled(); }});
-  }
-
   void throw_if_cancelled() const {
-    if (is_cancelled_) throw RunCancelled();
+    if (is_cancelled_) throw ComputationCancelled();
   }
 
-  RunRequest task_;
-  results::Run run_;
+  std::function<void(const WorkerCallbacks&)> compute_;
   std::exception_ptr failure_;
   std::atomic<bool> is_cancelled_ = false;
   std::mutex mutex_;  // protects all members below
@@ -106,42 +98,43 @@ class RunInProgress {
   std::optional<methods::RunProgress> progress_update_;
 };
 
-struct AbandonedRun {
-  std::shared_ptr<RunInProgress> work;
+struct AbandonedComputation {
+  std::shared_ptr<ComputationInProgress> work;
   std::thread thread;
 };
 
 // The list of abandoned threads, which is never destroyed. Abandoned threads may still run at the
 // end of the process.
-struct AbandonedRuns {
+struct AbandonedComputations {
   std::mutex mutex;
-  std::vector<AbandonedRun> all;
+  std::vector<AbandonedComputation> all;
 };
-AbandonedRuns& abandoned_runs() {
-  static AbandonedRuns& one = *new AbandonedRuns;
+AbandonedComputations& abandoned_computations() {
+  static AbandonedComputations& one = *new AbandonedComputations;
   return one;
 }
 
 void join_ended_threads() {
-  const std::lock_guard lock(abandoned_runs().mutex);
-  std::erase_if(abandoned_runs().all, [](AbandonedRun& one) {
+  const std::lock_guard lock(abandoned_computations().mutex);
+  std::erase_if(abandoned_computations().all, [](AbandonedComputation& one) {
     if (!one.work->has_ended()) return false;
     one.thread.join();
     return true;
   });
 }
 
-bool has_abandoned_runs() {
+bool has_abandoned_computations() {
   join_ended_threads();
-  const std::lock_guard lock(abandoned_runs().mutex);
-  return !abandoned_runs().all.empty();
+  const std::lock_guard lock(abandoned_computations().mutex);
+  return !abandoned_computations().all.empty();
 }
 
 }  // namespace
 
-results::Run solve(RunRequest task, const std::function<void(const methods::RunProgress*)>& poll) {
+void compute_in_worker_thread(std::function<void(const WorkerCallbacks&)> compute,
+                              const ProgressPoll& poll) {
   join_ended_threads();
-  const auto work = std::make_shared<RunInProgress>(std::move(task));
+  const auto work = std::make_shared<ComputationInProgress>(std::move(compute));
   std::thread thread([work] { work->run(); });
   try {
     while (!work->wait_for(kPollInterval)) {
@@ -153,22 +146,37 @@ results::Run solve(RunRequest task, const std::function<void(const methods::RunP
     if (work->wait_for(kGracePeriod)) {
       thread.join();
     } else {
-      const std::lock_guard lock(abandoned_runs().mutex);
-      abandoned_runs().all.push_back({work, std::move(thread)});
+      const std::lock_guard lock(abandoned_computations().mutex);
+      abandoned_computations().all.push_back({work, std::move(thread)});
     }
     throw;
   }
   thread.join();
-  return work->result();
+  work->rethrow_failure();
+}
+
+results::Run solve(RunRequest request, const ProgressPoll& poll) {
+  const auto run = std::make_shared<results::Run>();
+  compute_in_worker_thread(
+      [request = std::move(request), run](const WorkerCallbacks& callbacks) {
+        run->program = results::current_program(request.command);
+        run->cases = methods::compute_case_results(request.problems, request.methods,
+                                                   {.threads = request.threads,
+                                                    .with_backward = request.bounds,
+                                                    .progress = callbacks.progress,
+                                                    .poll = callbacks.throw_if_cancelled});
+      },
+      poll);
+  return std::move(*run);
 }
 
 void prepare_for_exit() {
-  if (!has_abandoned_runs()) return;
+  if (!has_abandoned_computations()) return;
   // The function exit() calls exit handlers and destructors of static objects in reverse order of
   // registration. This handler is registered last and therefore runs before the destructors.
   on_exit(
       [](int status, void*) {
-        if (!has_abandoned_runs()) return;
+        if (!has_abandoned_computations()) return;
         std::fflush(nullptr);
         _exit(status);
       },

@@ -22,19 +22,32 @@ struct RunRequest {
   std::string command;  ///< command of the run, for summary.json
 };
 
-/// Solves the problems and compares the solutions in a worker thread, like `fpkcheck run`. During
-/// the run, the calling thread calls the function `poll`.
+/// Function that is called about twenty times a second with the progress of a computation, or with
+/// null if the progress has not changed.
+using ProgressPoll = std::function<void(const methods::RunProgress*)>;
+
+/// Functions that a computation in a worker thread calls. Both functions throw an exception if the
+/// computation is cancelled.
+struct WorkerCallbacks {
+  methods::ProgressListener progress;
+  std::function<void()> throw_if_cancelled;
+};
+
+/// Runs a computation in a worker thread. During the computation, the calling thread calls the
+/// function `poll`.
 ///
-/// If the run is cancelled, the worker thread is abandoned, since long operations cannot be
+/// If the computation is cancelled, the worker thread is abandoned, since long operations cannot be
 /// interrupted (cli/shutdown_after_signal.hpp) and the extension must not end the process of
-/// Python. An abandoned worker thread ends after its current operation.
-/// @param poll function that is called about twenty times a second with the progress of the run, or
-/// with null if the progress has not changed. An exception of `poll` cancels the run within a third
-/// of
-///        a second
-/// @throws the exceptions of solvers and of `poll`
-results::Run solve(RunRequest request,
-                   const std::function<void(const methods::RunProgress*)>& poll);
+/// Python. An abandoned worker thread ends after its current operation. The computation must
+/// therefore own its data.
+/// @param poll an exception of this function cancels the computation within a third of a second
+/// @throws the exceptions of `compute` and of `poll`
+void compute_in_worker_thread(std::function<void(const WorkerCallbacks&)> compute,
+                              const ProgressPoll& poll);
+
+/// Solves the problems and compares the solutions in a worker thread, like `fpkcheck run`.
+/// @throws the exceptions of compute_in_worker_thread()
+results::Run solve(RunRequest request, const ProgressPoll& poll);
 
 /// Prepares exit() for abandoned threads; must be called at the end of the Python interpreter. If
 /// abandoned threads still run at exit(), the process ends with the same exit status without

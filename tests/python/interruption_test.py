@@ -1,4 +1,4 @@
-"""Ctrl-C during solve(): KeyboardInterrupt within a second, and later calls work.
+"""Ctrl-C during solve() and the functionals: KeyboardInterrupt within a second, and later calls work.
 
     interruption_test.py        with the package on PYTHONPATH
 """
@@ -50,6 +50,15 @@ class Interruption(unittest.TestCase):
             self.assertFalse(ended, methods)
             again = fpk.solve("case1", "fd-white", bounds=False)
             self.assertEqual(again.solutions["fd-white"].status, "ok")
+
+    def test_of_functionals_raises_within_a_second(self):
+        for call in (
+            lambda: fpk.passage("case1", displacement=3, methods="mcs", time=1e9),
+            lambda: fpk.spectrum("case4", methods="fd", accuracy=1e-9, max_seconds=10),
+        ):
+            late, ended = self.interrupt(0.3, call)
+            self.assertLess(late, 1)
+            self.assertFalse(ended)
 
     def test_of_saving_leaves_complete_files(self):
         run = fpk.solve("case1", "fd-white,epc-moment-n4", bounds=False)
