@@ -35,7 +35,12 @@ Eigen::VectorXd differentiated_moment_values(const problem::Problem& problem,
   return values;
 }
 
+Eigen::Index bin_count(const std::vector<double>& edges) {
+  return edges.empty() ? 0 : std::ssize(edges) - 1;
+}
+
 Eigen::VectorXd bin_widths(const std::vector<double>& edges) {
+  if (edges.empty()) return {};
   const Eigen::Map<const Eigen::VectorXd> all(edges.data(), std::ssize(edges));
   return all.tail(all.size() - 1) - all.head(all.size() - 1);
 }
@@ -78,6 +83,7 @@ Eigen::VectorXd sensitivities_on_grid(
       return {};
     }
     append(differentiated_moment_values(problem, grid, *derivative, order));
+    if (y_edges.empty()) continue;
     const transform::Density density = transform::to_physical_coordinates(
         problem.frame, grid_density_from_averages(grid, *derivative));
     append(transform::marginal(density, transform::StateVariable::y, y_edges).density);
@@ -121,7 +127,7 @@ transform::MomentSensitivities solve_sensitivities(
     }
     return scales;
   };
-  const Eigen::Index y_bins = std::ssize(y_edges) - 1, ydot_bins = std::ssize(ydot_edges) - 1;
+  const Eigen::Index y_bins = bin_count(y_edges), ydot_bins = bin_count(ydot_edges);
   // Returns the index of the first derivative with respect to a parameter in the vector of values.
   const auto first_derivative = [&](std::size_t parameter) {
     return kMomentCount +
@@ -155,12 +161,14 @@ transform::MomentSensitivities solve_sensitivities(
     }
     result.expectations.push_back(std::move(one));
   }
-  result.marginals = {{.variable = transform::StateVariable::y, .edges = y_edges},
-                      {.variable = transform::StateVariable::ydot, .edges = ydot_edges}};
+  if (!y_edges.empty()) {
+    result.marginals = {{.variable = transform::StateVariable::y, .edges = y_edges},
+                        {.variable = transform::StateVariable::ydot, .edges = ydot_edges}};
+  }
   Eigen::VectorXd inverse_widths(y_bins + ydot_bins);
   inverse_widths << bin_widths(y_edges).cwiseInverse(), bin_widths(ydot_edges).cwiseInverse();
   double density_error = 0;  // largest L1 error of theta dp/dtheta
-  for (std::size_t k = 0; k < parameters.size(); ++k) {
+  for (std::size_t k = 0; k < parameters.size() && !result.marginals.empty(); ++k) {
     // The densities converge more slowly than the moments and have an order of their own.
     const auto densities = [&](const Eigen::VectorXd& all) -> Eigen::VectorXd {
       if (all.size() == 0) return {};
@@ -183,10 +191,13 @@ transform::MomentSensitivities solve_sensitivities(
       at += bins;
     }
   }
-  result.details = fmt::format(
-      "{} x {} cells; L1 errors of theta dp/dtheta, for p(y) and p(y') and each "
-      "parameter theta: at most {:.1e}",
-      converged.nx, converged.nv, density_error);
+  result.details = fmt::format("{} x {} cells", converged.nx, converged.nv);
+  if (!result.marginals.empty()) {
+    result.details += fmt::format(
+        "; L1 errors of theta dp/dtheta, for p(y) and p(y') and each parameter theta: at most "
+        "{:.1e}",
+        density_error);
+  }
   const double error = std::max(
       (converged.errors.array() / scale(converged.values).array()).maxCoeff(), density_error);
   result.status = Status::ok;

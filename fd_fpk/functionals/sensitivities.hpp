@@ -22,7 +22,7 @@ namespace fpkcheck::fd_fpk {
 /// dp/dtheta for each parameter theta, are at most FiniteVolumeOptions::accuracy.
 /// @param parameters derivatives with steps of about 1e-4
 /// @param y_edges,ydot_edges increasing edges of the bins of the marginal densities, in physical
-///   coordinates
+///   coordinates; both empty for no derivatives of densities
 /// @throws InputError for invalid options
 transform::MomentSensitivities solve_sensitivities(
     const problem::Problem& problem, const FiniteVolumeOptions& options,
