@@ -64,7 +64,7 @@ struct SweepArguments {
   std::optional<std::string> design, methods, shard, closure_errors;
   std::optional<std::size_t> points;
   std::vector<int> ranks;
-  bool marginals = false, dry_run = false, merge = false;
+  bool marginals = false, slopes = false, dry_run = false, merge = false;
   base::Values given;  // method options that the command line sets
 };
 
@@ -89,6 +89,9 @@ boost::program_options::options_description sweep_options(SweepArguments& argume
        "at all points without a reference")  //
       ("marginals", po::bool_switch(&arguments.marginals),
        "store p(y) and p(y') of every point in DIR/marginals/NUMBER.csv")  //
+      ("slopes", po::bool_switch(&arguments.slopes),
+       "derivatives of E[y^2] and E[y'^2] with respect to the varied keys, by the methods "
+       "fd-..")  //
       ("shard", make_optional_option(arguments.shard, "i/N"),
        "solve every N-th point from point i on, 1 <= i <= N; --merge combines the shards")  //
       ("merge", po::bool_switch(&arguments.merge),
@@ -174,6 +177,7 @@ sweep::SweepPlan make_sweep_plan(const SweepArguments& arguments,
   }
   plan.sobol_points = arguments.points.value_or(text.points.value_or(0));
   plan.marginals = arguments.marginals;
+  plan.slopes = arguments.slopes;
   sweep::require_known_constants(plan.base, plan.axes);
   plan.points = sweep::make_sweep_plan_points(plan.axes, plan.design, plan.sobol_points);
 

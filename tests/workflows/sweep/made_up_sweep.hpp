@@ -47,6 +47,8 @@ inline sweep::SweepPointResult result_of(const sweep::SweepPlan& plan, std::size
   }
   result.methods.front().l1 = sweep::MarginalL1Values{0.01 * static_cast<double>(point + 1), 0.02};
   result.methods.front().budget = {{"closure + impact", {0.3, 0.4}}};
+  result.methods.back().slopes = {
+      {plan.axes.front().key, 0.5, 0.25 * static_cast<double>(point), 0.01, 0.02}};
   return result;
 }
 

@@ -16,6 +16,11 @@
 namespace fpkcheck::sweep {
 namespace {
 
+struct KeyOfSteps {
+  const char *key, *values;
+  double step;
+};
+
 std::vector<std::size_t> all_of(const SweepPlan& plan) {
   std::vector<std::size_t> all(plan.points.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
@@ -146,6 +151,43 @@ TEST(SolvePoint, ErrorOfAClosureComesFromResidualsWithoutAReference) {
   EXPECT_EQ(by_default.status, Status::inaccurate);
   EXPECT_EQ(by_default.reason, by_residuals.reason);
   EXPECT_EQ(by_default.error, by_residuals.error);
+}
+
+// By Simpson's rule the change of a moment over three points is h/3 (f'_0 + 4 f'_1 + f'_2), up to a
+// term of the fifth order in h, which is below the errors of the moments here.
+TEST(SolvePoint, SlopesAgreeWithTheDifferencesBetweenPoints) {
+  const KeyOfSteps cases[] = {{"system.restitution", "0.8:0.84:3", 0.02},
+                              {"impulse.rate", "1.9:2.1:3", 0.1}};
+  for (const auto& [key, values, step] : cases) {
+    SweepPlan plan = tests::plan_of({parse_sweep_axis(key, values, "test")},
+                                    SweepPlanDesign::product, "fd-white,fd-kf");
+    EXPECT_EQ(solve_sweep_point(plan, 0).result.methods[1].find_slopes(key), nullptr);
+    plan.slopes = true;
+    std::vector<std::vector<SweepMethodResult>> points;
+    for (std::size_t point = 0; point < 3; ++point) {
+      points.push_back(solve_sweep_point(plan, point).result.methods);
+    }
+    for (std::size_t method = 0; method < 2; ++method) {
+      SCOPED_TRACE(plan.methods[method].id() + ' ' + key);
+      for (const auto& point : points) ASSERT_NE(point[method].find_slopes(key), nullptr);
+      const auto check = [&](double transform::Moments::*moment, double MomentSlopes::*slope,
+                             double MomentSlopes::*error) {
+        const auto weighted = [&](double MomentSlopes::*member) {
+          const auto at = [&](std::size_t k) {
+            return points[k][method].find_slopes(key)->*member;
+          };
+          return step / 3 * (at(0) + 4 * at(1) + at(2));
+        };
+        constexpr double kMomentErrors = 4e-6;  // twice the error estimate of a moment
+        const double difference =
+            (*points[2][method].moments).*moment - (*points[0][method].moments).*moment;
+        EXPECT_NEAR(weighted(slope), difference, weighted(error) + kMomentErrors);
+        EXPECT_LT(weighted(error), 0.02 * std::abs(difference) + kMomentErrors);
+      };
+      check(&transform::Moments::y2, &MomentSlopes::y2, &MomentSlopes::y2_error);
+      check(&transform::Moments::v2, &MomentSlopes::v2, &MomentSlopes::v2_error);
+    }
+  }
 }
 
 // No variance remains for this mean: E[Y]^2 must be below intensity / rate = 0.1.

@@ -32,11 +32,14 @@ TEST(SweepCsv, HasARowForEachPointAndMethod) {
   EXPECT_EQ(lines[0],
             "impulse.rate,system.restitution,solution,status,reason,y1,y2,y4,v1,v2,v4,l1_y,l1_ydot,"
             "reference,seconds,error_y,error_ydot,budget_y_closure_and_impact,"
-            "budget_ydot_closure_and_impact,impulses_per_decay_time,damping_ratio,cubic_share");
+            "budget_ydot_closure_and_impact,impulses_per_decay_time,damping_ratio,cubic_share,"
+            "slope_y2_impulse.rate,slope_v2_impulse.rate,slope_error_y2_impulse.rate,"
+            "slope_error_v2_impulse.rate");
   const std::string groups = groups_text(4);
   EXPECT_EQ(lines[9],
-            "2,0.9,epc-gaussian-n2,ok,,0,4,0,0,8,0,0.05,0.02,fd-kf,5,,,0.3,0.4," + groups);
-  EXPECT_EQ(lines[10], "2,0.9,fd-kf,ok,,0,4.1,0,0,8.2,0,,,fd-kf,5.1,,,,," + groups);
+            "2,0.9,epc-gaussian-n2,ok,,0,4,0,0,8,0,0.05,0.02,fd-kf,5,,,0.3,0.4," + groups + ",,,,");
+  EXPECT_EQ(lines[10],
+            "2,0.9,fd-kf,ok,,0,4.1,0,0,8.2,0,,,fd-kf,5.1,,,,," + groups + ",0.5,1,0.01,0.02");
 }
 
 TEST(SweepCsv, QuotesReasonsAndHasEmptyCellsForNaN) {
@@ -47,7 +50,7 @@ TEST(SweepCsv, QuotesReasonsAndHasEmptyCellsForNaN) {
   EXPECT_EQ(lines_of(sweep_csv_text(results))[1],
             "1,0.8,epc-gaussian-n2,inadmissible,\"a \"\"b\"\", c\",0,,0,0,0,0,0.01,0.02,fd-kf,1,,,"
             "0.3,0.4," +
-                groups_text(0));
+                groups_text(0) + ",,,,");
 }
 
 results::NetCdfReader reader_of(const SweepResults& results) {
@@ -66,6 +69,8 @@ TEST(SweepNetCdf, OfAProductHasItsKeysAsDimensions) {
   const auto y2 = file.read_values("y2");
   EXPECT_EQ(y2[1 * 6 + 2 * 2 + 1], 5.1);  // rate 2, restitution 1, fd-kf: point 5
   EXPECT_TRUE(std::isnan(y2[2]));         // point 1 is not there
+  EXPECT_EQ(file.read_values("slope_v2_impulse.rate")[1 * 6 + 2 * 2 + 1], 0.25 * 5);
+  EXPECT_TRUE(std::isnan(file.read_values("slope_v2_impulse.rate")[1 * 6 + 2 * 2]));
   const auto status = file.read_values("status");
   EXPECT_EQ(status[2], -1);
   EXPECT_EQ(status[0], 0);

@@ -186,5 +186,30 @@ TEST(Scatter, PartsOfARangeHaveMediansOfSeveralPoints) {
   EXPECT_TRUE(tests::series_of(panel, "median of epc-gaussian-n4 where ok").points.empty());
 }
 
+TEST(MomentCurves, HaveTangentsWhereAMethodHasSlopes) {
+  EXPECT_FALSE(shows(moments_of(tests::made_up_sweep({tests::kFiveRestitutions})), "derivative"));
+  const auto with_slopes = [](const tests::KeyAndValues& axis) {
+    auto results = tests::made_up_sweep({axis});
+    results.points[1].methods[tests::made_up_reference].slopes = {{axis.first, 2, -1, 0.1, 0.2}};
+    return moments_of(results);
+  };
+  // The distance of points is 0.1, and half a segment is 0.3 distances long.
+  const auto figure = with_slopes(tests::kFiveRestitutions);
+  const auto& segment = tests::series_of(figure.panels[0], "derivative").points;
+  ASSERT_GE(segment.size(), 2u);
+  EXPECT_NEAR(segment[0].x, 0.67, 1e-12);
+  EXPECT_NEAR(segment[1].x, 0.73, 1e-12);
+  EXPECT_NEAR(segment[1].y - segment[0].y, 2 * 0.06, 1e-12);
+  EXPECT_NEAR((segment[0].y + segment[1].y) / 2, 0.425, 1e-12);
+  const auto& of_velocity = tests::series_of(figure.panels[1], "derivative").points;
+  EXPECT_NEAR(of_velocity[1].y - of_velocity[0].y, -0.06, 1e-12);
+  // On a logarithmic axis the slope with respect to the logarithm is x df/dx, here at x = 1.
+  const auto logarithmic = with_slopes(tests::kThreeRates);
+  const auto& of_rate = tests::series_of(logarithmic.panels[0], "derivative").points;
+  EXPECT_NEAR(std::log10(of_rate[1].x), 0.3, 1e-12);
+  EXPECT_NEAR(of_rate[1].y - of_rate[0].y, 2 * 0.6 * std::log(10), 1e-12);
+  EXPECT_FALSE(shows(with_slopes(tests::kTwoLaws), "derivative"));
+}
+
 }  // namespace
 }  // namespace fpkcheck::sweep

@@ -95,6 +95,8 @@ struct SweepPlan {
   std::vector<methods::Method> methods{};  ///< methods of the plan by increasing trust
   bool marginals = false;                  ///< whether the marginal densities are stored
   ClosureErrorSource closure_errors = ClosureErrorSource::reference;
+  /// Whether the finite volumes also compute derivatives of moments with respect to the varied keys
+  bool slopes = false;
   SweepPlanPoints points{};  ///< points of the plan, computed by make_sweep_plan_points()
 
   /// @throws InputError if the parameter values of the sweep point are inconsistent

@@ -63,12 +63,12 @@ methods::Method method_from_json(const Json& json, const methods::SolverRegistry
 
 Json marginal_pair_json(const MarginalL1Values& pair) { return {pair.y, pair.ydot}; }
 
+double number_from_json(const Json& json) {
+  return json.is_null() ? results::kNotANumber : json.get<double>();
+}
+
 MarginalL1Values marginal_pair_from_json(const Json& json) {
-  const auto number = [&](std::size_t k) {
-    const Json& value = json.at(k);
-    return value.is_null() ? results::kNotANumber : value.get<double>();
-  };
-  return {number(0), number(1)};
+  return {number_from_json(json.at(0)), number_from_json(json.at(1))};
 }
 
 Json method_result_json(const SweepMethodResult& result) {
@@ -83,6 +83,11 @@ Json method_result_json(const SweepMethodResult& result) {
   if (result.l1) json["l1"] = marginal_pair_json(*result.l1);
   if (result.error) json["error"] = marginal_pair_json(*result.error);
   for (const auto& share : result.budget) json["budget"][share.part] = marginal_pair_json(share.l1);
+  for (const auto& slopes : result.slopes) {
+    json["slopes"][slopes.key] = {{"y2", slopes.y2},
+                                  {"v2", slopes.v2},
+                                  {"error", {{"y2", slopes.y2_error}, {"v2", slopes.v2_error}}}};
+  }
   return json;
 }
 
@@ -96,9 +101,7 @@ SweepMethodResult method_result_from_json(const Json& json) {
     result.moments.emplace();
     std::size_t k = 0;
     for (const auto& moment : transform::kMoments) {
-      const Json& value = json.at("moments").at(k++);
-      (*result.moments).*moment.moment =
-          value.is_null() ? results::kNotANumber : value.get<double>();
+      (*result.moments).*moment.moment = number_from_json(json.at("moments").at(k++));
     }
   }
   if (json.contains("l1")) result.l1 = marginal_pair_from_json(json.at("l1"));
@@ -106,6 +109,16 @@ SweepMethodResult method_result_from_json(const Json& json) {
   if (json.contains("budget")) {
     for (const auto& [part, l1] : json.at("budget").items()) {
       result.budget.push_back({part, marginal_pair_from_json(l1)});
+    }
+  }
+  if (json.contains("slopes")) {
+    for (const auto& [key, slopes] : json.at("slopes").items()) {
+      const Json& error = slopes.at("error");
+      result.slopes.push_back({.key = key,
+                               .y2 = number_from_json(slopes.at("y2")),
+                               .v2 = number_from_json(slopes.at("v2")),
+                               .y2_error = number_from_json(error.at("y2")),
+                               .v2_error = number_from_json(error.at("v2"))});
     }
   }
   return result;
@@ -120,6 +133,7 @@ Json sweep_plan_json(const SweepPlan& plan) {
             {"points", plan.sobol_points},
             {"marginals", plan.marginals},
             {"closure_errors", name(plan.closure_errors)},
+            {"slopes", plan.slopes},
             {"methods", Json::array()}};
   for (const auto& axis : plan.axes) json["vary"].push_back(axis_json(axis));
   for (const auto& method : plan.methods) {
@@ -136,7 +150,8 @@ SweepPlan sweep_plan_from_json(const Json& json, const methods::SolverRegistry& 
                  .design = enum_from_json<SweepPlanDesign>(json.at("design")),
                  .sobol_points = json.at("points"),
                  .marginals = json.at("marginals"),
-                 .closure_errors = enum_from_json<ClosureErrorSource>(json.at("closure_errors"))};
+                 .closure_errors = enum_from_json<ClosureErrorSource>(json.at("closure_errors")),
+                 .slopes = json.value("slopes", false)};
   for (const auto& axis : json.at("vary")) plan.axes.push_back(axis_from_json(axis));
   for (const auto& method : json.at("methods")) {
     plan.methods.push_back(method_from_json(method, registry));

@@ -89,6 +89,34 @@ std::vector<SweepResultColumn> error_columns(const SweepResults& results) {
   return columns;
 }
 
+// Returns the columns of the slopes with respect to each varied key for which a result has slopes.
+std::vector<SweepResultColumn> slope_columns(const SweepResults& results) {
+  std::vector<SweepResultColumn> columns;
+  for (const SweepAxis& axis : results.plan.axes) {
+    const bool any = std::ranges::any_of(results.points, [&](const SweepPointResult& point) {
+      return std::ranges::any_of(point.methods, [&](const SweepMethodResult& one) {
+        return one.find_slopes(axis.key) != nullptr;
+      });
+    });
+    if (!any) continue;
+    const auto add = [&](const char* prefix, const char* moment, const std::string& meaning,
+                         double MomentSlopes::*member) {
+      const std::string column = fmt::format("{}_{}_{}", prefix, moment, axis.key);
+      columns.push_back({column, column, meaning + " with respect to " + axis.key,
+                         [key = axis.key, member](const SweepMethodResult& one) {
+                           const MomentSlopes* slopes = one.find_slopes(key);
+                           return slopes != nullptr ? std::optional(slopes->*member) : std::nullopt;
+                         }});
+    };
+    add("slope", "y2", "derivative of E[y^2]", &MomentSlopes::y2);
+    add("slope", "v2", "derivative of E[y'^2]", &MomentSlopes::v2);
+    add("slope_error", "y2", "error estimate of the derivative of E[y^2]", &MomentSlopes::y2_error);
+    add("slope_error", "v2", "error estimate of the derivative of E[y'^2]",
+        &MomentSlopes::v2_error);
+  }
+  return columns;
+}
+
 std::string csv_value_cell(const base::Value& value) {
   const auto* number = std::get_if<double>(&value);
   return number != nullptr ? fmt::format("{}", *number)
@@ -185,6 +213,11 @@ class SweepNetcdfFile {
 
 }  // namespace
 
+const MomentSlopes* SweepMethodResult::find_slopes(const std::string& key) const {
+  const auto found = std::ranges::find(slopes, key, &MomentSlopes::key);
+  return found == slopes.end() ? nullptr : &*found;
+}
+
 SweepResults make_sweep_results(SweepPlan plan, std::vector<SweepPointResult> points) {
   std::ranges::sort(points, {}, &SweepPointResult::point);
   return {std::move(plan), std::move(points)};
@@ -205,7 +238,7 @@ std::vector<std::string> SweepResults::error_budget_part_names() const {
 std::string sweep_csv_text(const SweepResults& results) {
   const SweepPlan& plan = results.plan;
   const auto moments = moment_columns(), distances = distance_columns();
-  const auto errors = error_columns(results);
+  const auto errors = error_columns(results), slopes = slope_columns(results);
   std::vector<std::string> header;
   const auto add_headers = [&](const std::vector<SweepResultColumn>& columns) {
     for (const auto& column : columns) header.push_back(column.header);
@@ -217,6 +250,7 @@ std::string sweep_csv_text(const SweepResults& results) {
   header.insert(header.end(), {"reference", "seconds"});
   add_headers(errors);
   header.insert(header.end(), {"impulses_per_decay_time", "damping_ratio", "cubic_share"});
+  add_headers(slopes);
   std::string text = fmt::format("{}\n", fmt::join(header, ","));
   for (const auto& point : results.points) {
     std::string keys;
@@ -239,7 +273,9 @@ std::string sweep_csv_text(const SweepResults& results) {
       cells.push_back(point.reference);
       cells.push_back(fmt::format("{:.3g}", method.seconds));
       add_cells(errors);
-      text += fmt::format("{}{},{}\n", keys, fmt::join(cells, ","), groups);
+      cells.push_back(groups);
+      add_cells(slopes);
+      text += fmt::format("{}{}\n", keys, fmt::join(cells, ","));
     }
   }
   return text;
@@ -269,6 +305,7 @@ std::string sweep_netcdf_bytes(const SweepResults& results, const std::string& c
   sweep.write_variables(moment_columns());
   sweep.write_variables(distance_columns());
   sweep.write_variables(error_columns(results));
+  sweep.write_variables(slope_columns(results));
   sweep.write_variable(
       {{}, "seconds", "wall-clock time", [](const SweepMethodResult& one) { return one.seconds; }});
   sweep.write_references();

@@ -25,6 +25,15 @@ struct ErrorBudgetContribution {
   bool operator==(const ErrorBudgetContribution&) const = default;
 };
 
+/// Derivatives of E[y^2] and E[y'^2] with respect to a varied key, with error estimates.
+struct MomentSlopes {
+  std::string key;
+  double y2, v2;
+  double y2_error, v2_error;
+
+  bool operator==(const MomentSlopes&) const = default;
+};
+
 struct SweepMethodResult {
   transform::Status status = transform::Status::failed;
   std::string reason = {};  ///< reason for a status other than `ok`; empty for `ok`
@@ -33,6 +42,11 @@ struct SweepMethodResult {
   std::optional<MarginalL1Values> l1 = {};     ///< L1 distances from the reference of the point
   std::optional<MarginalL1Values> error = {};  ///< L1 error estimates, or expected sampling errors
   std::vector<ErrorBudgetContribution> budget = {};
+  /// Derivatives with respect to the varied keys, if the method computes these derivatives
+  std::vector<MomentSlopes> slopes = {};
+
+  /// Returns the derivatives with respect to a key; a null pointer without derivatives.
+  const MomentSlopes* find_slopes(const std::string& key) const;
 };
 
 struct SweepPointResult {

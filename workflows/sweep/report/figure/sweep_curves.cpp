@@ -126,6 +126,36 @@ class SweepCurves {
     return series;
   }
 
+  /// Returns short segments of the tangents at the points of a method that has slopes, without
+  /// points if the method has none.
+  FigureSeries tangents(const SweepPlanSlice& slice, std::size_t m, double Moments::*moment,
+                        double MomentSlopes::*slope) const {
+    FigureSeries series{
+        .name = "derivative", .colour = "#000000", .dash = "solid", .line_width = 1.5};
+    if (is_categorical() || slice.points.size() < 2) return series;
+    // Half the length of a segment along the axis, relative to the mean distance of points
+    constexpr double kHalfLength = 0.3;
+    const bool is_logarithmic = along_.is_logarithmic();
+    const double first = abscissa(slice.points.front()), last = abscissa(slice.points.back());
+    const double half = kHalfLength * (is_logarithmic ? std::log(last / first) : last - first) /
+                        static_cast<double>(slice.points.size() - 1);
+    for (const std::size_t point : slice.points) {
+      const auto* result = view_.method_result(point, m);
+      const MomentSlopes* slopes =
+          result == nullptr || !result->moments ? nullptr : result->find_slopes(along_.key());
+      if (slopes == nullptr) continue;
+      const double x = abscissa(point), y = (*result->moments).*moment;
+      const double left = is_logarithmic ? x * std::exp(-half) : x - half,
+                   right = is_logarithmic ? x * std::exp(half) : x + half;
+      // On a logarithmic axis the tangent has the slope x df/dx with respect to the logarithm.
+      const double rise = slopes->*slope * half * (is_logarithmic ? x : 1);
+      series.points.push_back({left, y - rise});
+      series.points.push_back({right, y + rise});
+      series.points.push_back({right, kGap});
+    }
+    return series;
+  }
+
  private:
   const SweepResultsView& view_;
   std::size_t place_;  // index of the key on the abscissa in the plan's axes
@@ -317,7 +347,8 @@ report::Figure distance_curves_figure(const SweepResultsView& view) {
 report::Figure moment_curves_figure(const SweepResultsView& view) {
   const SweepCurves curves(view);
   report::Figure figure = curves.panels();
-  const auto fill = [&](std::size_t first, const std::string& label, double Moments::*moment) {
+  const auto fill = [&](std::size_t first, const std::string& label, double Moments::*moment,
+                        double MomentSlopes::*slope) {
     std::vector<const FigurePanel*> panels;
     for (std::size_t k = first; k < figure.panels.size(); k += 2) {
       FigurePanel& panel = figure.panels[k];
@@ -329,14 +360,16 @@ report::Figure moment_curves_figure(const SweepResultsView& view) {
                            if (!result.moments) return std::nullopt;
                            return (*result.moments).*moment;
                          }));
+        FigureSeries tangents = curves.tangents(curves.slices()[k / 2], m, moment, slope);
+        if (!tangents.points.empty()) panel.series.push_back(std::move(tangents));
       }
       panels.push_back(&panel);
     }
     const report::FigureAxis axis = moment_axis(label, panels);
     for (std::size_t k = first; k < figure.panels.size(); k += 2) figure.panels[k].y = axis;
   };
-  fill(0, "E[{/:Italic y}^2]", &Moments::y2);
-  fill(1, "E[{/:Italic y}'^2]", &Moments::v2);
+  fill(0, "E[{/:Italic y}^2]", &Moments::y2, &MomentSlopes::y2);
+  fill(1, "E[{/:Italic y}'^2]", &Moments::v2, &MomentSlopes::v2);
   return figure;
 }
 
