@@ -254,9 +254,9 @@ std::optional<std::array<MeanPassageTimeCertificate, 2>> compute_mean_time_certi
   // Mean times of both certificates from one state. Motions from the trapped regions do not pass a
   // barrier that is slightly higher.
   constexpr double kHigher = 1e-7, kMaxExponent = 16;
-  const UnforcedMotionSolver motion(problem.system, barrier, oscillator.deviation, 1);
-  const UnforcedMotionSolver trapped_motion(problem.system, barrier + kHigher, oscillator.deviation,
-                                            1);
+  const UnforcedMotionSolver motion(problem.system, barrier, barrier, oscillator.deviation, 1);
+  const UnforcedMotionSolver trapped_motion(problem.system, barrier + kHigher, barrier,
+                                            oscillator.deviation, 1);
   const auto mean_times_from = [&](const PhaseState& start, bool trapped) {
     const UnforcedTrajectory trajectory =
         (trapped ? trapped_motion : motion).compute_trajectory(start, kMaxExponent / rate);

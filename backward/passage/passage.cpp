@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -33,14 +34,13 @@ struct FirstPassageProblem {
   const problem::Problem& problem;
   double frequency;  // of the motion (problem::MotionScales)
   ChebyshevGrid::Domain domain;
-  std::optional<transform::PassageStartState> start;
+  PhaseState state;  // initial state; without an initial state, a state at half of the barrier
 };
 
-// Values on one grid: the quantities of PassageValueIndex, then the survival probabilities at all
-// times from the initial state, then those from the stationary law. A value that is not computed
-// is 0.
+// Values on one grid: the quantities of PassageValueIndex, then the survival probabilities from the
+// initial state at all times
 using PassageValues = Eigen::VectorXd;
-enum PassageValueIndex { kHazard, kMeanFromPoint, kMeanFromStationary, kPassageValueCount };
+enum PassageValueIndex { kHazard, kMeanFromPoint, kPassageValueCount };
 
 std::string passage_unsupported_reason(const problem::Problem& problem, double barrier) {
   if (problem.noise.is_acting()) {
@@ -88,8 +88,8 @@ FirstPassageProblem make_passage_problem(const problem::Problem& problem, double
   double speed = std::sqrt(2 * (highest - lowest));
   const auto [most_negative, most_positive] =
       effective_amplitude_range(problem.impulses.amplitude_law());
-  const UnforcedMotionSolver motion(
-      problem.system, barrier, problem.impulses.amplitude_law().amplitude_standard_deviation(), 1);
+  const UnforcedMotionSolver motion(problem.system, barrier, barrier - y_low,
+                                    std::max(speed, scales.v_high), 1);
   if (motion.acceleration({barrier, 0}) < 0) {
     // Traced backward in time, the trajectory that grazes the barrier reaches the barrier within
     // about one period.
@@ -101,31 +101,35 @@ FirstPassageProblem make_passage_problem(const problem::Problem& problem, double
                  motion.find_largest_backward_speed(
                      {barrier, 0}, kPeriods * 2 * std::numbers::pi / scales.frequency, max_speed)));
   }
-  return {.problem = problem,
-          .frequency = scales.frequency,
-          .domain = {y_low, barrier, speed + std::max(-most_negative, most_positive)},
-          .start = start};
+  return {
+      .problem = problem,
+      .frequency = scales.frequency,
+      .domain = {y_low, barrier, speed + std::max(-most_negative, most_positive)},
+      .state = start ? PhaseState{start->y, start->ydot} : PhaseState{(y_low + barrier) / 2, 0}};
 }
 
 // Returns the numbers of nodes in y and in v for a number of nodes in v per standard deviation of
-// the amplitude. The number of nodes in sqrt(barrier - y) is the number in v for the speed of a
-// motion through the domain, plus kMinDeviations standard deviations for the cusp of h at rest on
-// the wall. The mean time from rest of case 1 (barrier 1.5, 114.27394) differs from the mean time
-// with kMinDeviations = 10 by 6e-6 with kMinDeviations = 2, and by 1e-6 with 4.
+// the amplitude. The number of nodes in y is the number in v for the speed of a motion through the
+// domain, plus kMinDeviations standard deviations for the cusp of h at rest on the wall. The mean
+// time from rest of case 1 (barrier 1.5, 114.27394) differs from the mean time with kMinDeviations
+// = 10 by 6e-6 with kMinDeviations = 2, and by 1e-6 with 4.
 std::array<double, 2> choose_node_counts(const FirstPassageProblem& passage,
+                                         const ChebyshevGrid::Domain& domain,
                                          double nodes_per_deviation) {
   constexpr double kMinDeviations = 4;
-  const auto& [y_low, barrier, v_max] = passage.domain;
   const double deviation = passage.problem.impulses.amplitude_law().amplitude_standard_deviation();
-  const double speed = passage.frequency * (barrier - y_low);
+  const double speed = passage.frequency * (domain.y_high - domain.y_low);
   return {std::ceil(nodes_per_deviation * (kMinDeviations + speed / deviation)),
-          std::ceil(nodes_per_deviation * 2 * v_max / deviation)};
+          std::ceil(nodes_per_deviation * 2 * domain.v_max / deviation)};
 }
 
 // Stationary laws on two grids, whose difference is the error of the law
 struct StationaryCrossingsOnTwoGrids {
   StationaryCrossings finer, coarser;
 };
+
+// Indices of two functions in the basis of the reduced model
+constexpr std::size_t kMeanFunction = 1, kHalfMeanSquareFunction = 2;
 
 // The error of a value is this factor times the difference of the values on consecutive grids,
 // which have 1.25 times as many nodes in each direction. The factor is that of convergence of first
@@ -148,34 +152,31 @@ std::optional<StationaryCrossingsOnTwoGrids> solve_stationary_laws(
     const FirstPassageProblem& passage, double tolerance, const base::Deadline& deadline) {
   if (passage.problem.system.right_wall()) return std::nullopt;
   // Nodes per standard deviation of the amplitude on the first grid
-  constexpr double kFirstNodes = 0.96;
+  constexpr double kFirstNodes = 0.7;
   // The nodes cover this fraction of the intervals of y and v in which the stationary density
   // exceeds exp(-7^2/2) times its peak. Outside the nodes, interpolated functions are constant.
   constexpr double kFraction = 0.85, kMinDeviationsBeyond = 2;
   const problem::MotionScales scales = problem::motion_scales(passage.problem);
-  const double deviation = passage.problem.impulses.amplitude_law().amplitude_standard_deviation();
-  FirstPassageProblem whole = passage;
-  auto& [y_low, barrier, v_max] = whole.domain;
-  y_low = std::min(y_low, scales.y_low);
-  v_max = std::max(v_max, kFraction * scales.v_high);
-  const double y_high = std::max(std::lerp(scales.centre, scales.y_high, kFraction),
-                                 barrier + kMinDeviationsBeyond * scales.displacement_deviation);
-  // The computing time of a grid increases with the fifth power of the number of nodes in each
-  // direction. The error of the crossings is assumed to halve from grid to grid.
-  const double growth = std::pow(kNodeRatio, 5);
-  constexpr double kErrorRatio = 2;
+  const double barrier = passage.domain.y_high;
+  const ChebyshevGrid::Domain domain{
+      .y_low = std::min(passage.domain.y_low, scales.y_low),
+      .y_high = std::max(std::lerp(scales.centre, scales.y_high, kFraction),
+                         barrier + kMinDeviationsBeyond * scales.displacement_deviation),
+      .v_max = std::max(passage.domain.v_max, kFraction * scales.v_high),
+      .ends_at_barrier = false};
+  // The computing time of a grid increases with about the fourth power of the number of nodes in
+  // each direction. In case 1 the error of the crossings decreases by the factor kErrorRatio or
+  // more from grid to grid.
+  const double growth = std::pow(kNodeRatio, 4);
+  constexpr double kErrorRatio = 8;
   std::optional<StationaryCrossings> last;
   double seconds_to_tolerance = 0;
   for (double nodes = kFirstNodes;; nodes *= kNodeRatio) {
-    const auto [n_y, n_v] = choose_node_counts(whole, nodes);
-    const double n_upper = std::ceil(
-        nodes * (kMinDeviationsBeyond + passage.frequency * (y_high - barrier) / deviation));
-    if ((n_y + n_upper) * n_v > kMaxNodes || !deadline.has_time_for(seconds_to_tolerance))
-      return std::nullopt;
+    const auto [n_y, n_v] = choose_node_counts(passage, domain, nodes);
+    if (n_y * n_v > kMaxNodes || !deadline.has_time_for(seconds_to_tolerance)) return std::nullopt;
     const base::Stopwatch stopwatch;
-    const ChebyshevGrid lower(whole.domain, static_cast<int>(n_y), static_cast<int>(n_v)),
-        upper({y_high, barrier, v_max}, static_cast<int>(n_upper), static_cast<int>(n_v));
-    auto crossings = compute_stationary_crossings(passage.problem, lower, upper,
+    const ChebyshevGrid grid(domain, static_cast<int>(n_y), static_cast<int>(n_v));
+    auto crossings = compute_stationary_crossings(passage.problem, grid, barrier,
                                                   kPanelRefinement * nodes, deadline);
     if (!crossings || !crossings->rates.allFinite()) return std::nullopt;
     double grids_to_tolerance = 1;
@@ -194,101 +195,125 @@ std::optional<StationaryCrossingsOnTwoGrids> solve_stationary_laws(
   }
 }
 
-// Linear functionals of the solutions of the renewal equation: the value at the initial state, and
-// the means over the downcrossings of two stationary laws, in units of the rate of downcrossings
-enum PassageFunctionalIndex { kOfPoint, kOfFinerLaw, kOfCoarserLaw, kFunctionalCount };
-
 // Solver of the renewal equation on one grid
 class PassageSolverOnGrid {
  public:
   PassageSolverOnGrid(const FirstPassageProblem& passage, const ChebyshevGrid& grid,
-                      double panel_refinement, double hazard,
-                      const std::optional<StationaryCrossingsOnTwoGrids>& laws)
-      : passage_(passage),
-        laws_(laws),
+                      double panel_refinement, double hazard)
+      : state_(passage.state),
+        barrier_(passage.domain.y_high),
+        slowest_decay_rate_(problem::motion_scales(passage.problem).slowest_decay_rate),
         rate_(passage.problem.impulses.arrival_rate()),
         hazard_(hazard),
         node_count_(grid.node_count()),
         equation_(passage.problem, grid, rate_ - hazard, panel_refinement),
-        model_(grid.node_count(), kFunctionalCount) {}
+        model_(grid.node_count(), 1) {}
 
-  // Computes hazard, mean times and survival probabilities. The result is empty if the deadline
-  // passes.
+  // Computes hazard, mean time and survival probabilities from the initial state. The result is
+  // empty if the deadline passes.
   // @param[in,out] times times of the survival probabilities; if empty, automatic times
   // @param tolerance error of the survival probabilities due to the reduced model
   std::optional<PassageValues> solve(std::vector<double>& times, double tolerance,
                                      const base::Deadline& deadline);
 
-  // Errors that do not follow from the values on two grids: those of the stationary law and of the
-  // reduced model
-  const PassageValues& other_errors() const { return other_errors_; }
+  // Errors of the reduced model, which do not follow from the values on two grids
+  const PassageValues& model_errors() const { return model_errors_; }
+
+  // Computes the mean time from the stationary start, then its survival probabilities.
+  // @param omitted_count number of the last functions that the reduced model omits
+  // @pre solve() has returned values
+  Eigen::VectorXd solve_from_stationary(const StationaryCrossings& law,
+                                        const std::vector<double>& times,
+                                        std::size_t omitted_count = 0) const;
 
  private:
-  using Functionals = Eigen::VectorXd;
   Eigen::PartialPivLU<Eigen::MatrixXd> factorise(Eigen::MatrixXd& matrix) const {
     matrix *= -rate_;
     matrix.diagonal().array() += 1;
     return Eigen::PartialPivLU<Eigen::MatrixXd>(matrix);
   }
-  // Evaluates the functionals of the function with the values `value_at(x)` at the states x.
-  template <class ValueAt>
-  Functionals evaluate(const ValueAt& value_at) const {
-    Functionals values = Functionals::Zero(kFunctionalCount);
-    if (passage_.start) values(kOfPoint) = value_at({passage_.start->y, passage_.start->ydot});
-    const auto add_law = [&](const StationaryCrossings& law, double& sum) {
-      for (std::size_t m = 0; m < law.velocities.size(); ++m) {
-        sum += law.rates(static_cast<Eigen::Index>(m)) *
-               value_at({passage_.domain.barrier, law.velocities[m]});
-      }
-    };
-    if (laws_) {
-      add_law(laws_->finer, values(kOfFinerLaw));
-      add_law(laws_->coarser, values(kOfCoarserLaw));
-    }
-    return values;
-  }
-  // Adds the solution u of L u = shift u - source to the reduced model, given the means of u over
-  // an impulse at the nodes. Returns the functionals of u.
-  Functionals add_to_model(const Eigen::VectorXd& node_values, double shift, double source) {
-    const Functionals values = evaluate([&](const PhaseState& state) {
-      const auto integral = equation_.integrate_from_state(state, {rate_ + shift});
-      return source * integral.integral_of_one + rate_ * integral.node_weights.dot(node_values);
-    });
-    model_.add_basis_function({node_values, values, shift, source});
-    return values;
-  }
-  PassageValues survival_probabilities(const std::vector<double>& times,
-                                       PassageFunctionalIndex law) const;
+  // Returns the value at a state of the basis function with the given index.
+  double evaluate_basis_function(std::size_t index, const PhaseState& state) const;
+  // Adds a function to the basis of the reduced model. Returns the value of the function at the
+  // initial state.
+  double add_to_model(ReducedOrderPassageModel::BasisFunction function);
+  PassageValues survival_probabilities(const std::vector<double>& times) const;
 
-  const FirstPassageProblem& passage_;
-  const std::optional<StationaryCrossingsOnTwoGrids>& laws_;
-  double rate_, hazard_;
+  PhaseState state_;  // initial state
+  double barrier_, slowest_decay_rate_, rate_, hazard_;
   Eigen::Index node_count_;
   RenewalEquation equation_;
-  ReducedOrderPassageModel model_;
-  PassageValues other_errors_;
+  ReducedOrderPassageModel model_;  // its functional is the value at the initial state
+  // The slowest mode, the mean time, half of the mean square time, and further Laplace transforms
+  std::vector<ReducedOrderPassageModel::BasisFunction> basis_;
+  PassageValues model_errors_;
 };
 
-// Returns the survival probabilities from the initial state, then from a stationary law. A stay
-// below the barrier has the length l. With the rate nu of downcrossings the stationary start has
-// the survival probability E(l - t)^+ / E l, which is the integral of nu P(l > t) from t to
-// infinity, divided by its value for t = 0.
-PassageValues PassageSolverOnGrid::survival_probabilities(const std::vector<double>& times,
-                                                          PassageFunctionalIndex law) const {
-  const auto n = static_cast<Eigen::Index>(times.size());
+// Functions of the basis except half of the mean square T2 are solutions u of L u = shift u -
+// source. The mean h2 of T2 over an impulse satisfies h2 = B (1 + lambda h) + lambda A h2, where B
+// has the weight t exp(-lambda t).
+double PassageSolverOnGrid::evaluate_basis_function(std::size_t index,
+                                                    const PhaseState& state) const {
+  const ReducedOrderPassageModel::BasisFunction& function = basis_[index];
+  const auto once = equation_.integrate_from_state(state, {rate_ + function.shift});
+  const double value =
+      function.source * once.integral_of_one + rate_ * once.node_weights.dot(function.node_values);
+  if (!function.has_previous) return value;
+  const auto twice = equation_.integrate_from_state(state, {rate_, 1});
+  return value + twice.integral_of_one +
+         rate_ * twice.node_weights.dot(basis_[index - 1].node_values);
+}
+
+double PassageSolverOnGrid::add_to_model(ReducedOrderPassageModel::BasisFunction function) {
+  basis_.push_back(std::move(function));
+  basis_.back().functionals =
+      Eigen::VectorXd::Constant(1, evaluate_basis_function(basis_.size() - 1, state_));
+  model_.add_basis_function(basis_.back());
+  return basis_.back().functionals(0);
+}
+
+PassageValues PassageSolverOnGrid::survival_probabilities(const std::vector<double>& times) const {
   const ReducedOrderPassageModel::Modes modes = model_.compute_modes();
-  const Eigen::VectorXcd of_point = modes.coefficients.row(kOfPoint),
-                         of_law = (modes.coefficients.row(law).array() /
-                                   -modes.rates.transpose().array());
-  const double of_law_at_0 = of_law.sum().real();
-  PassageValues values = PassageValues::Zero(2 * n);
-  for (Eigen::Index k = 0; k < n; ++k) {
+  PassageValues values(static_cast<Eigen::Index>(times.size()));
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
     const double t = times[static_cast<std::size_t>(k)];
     const Eigen::VectorXcd decayed = (t * modes.rates).array().exp();
-    if (passage_.start) {
-      values(k) = t == 0 ? 1 : std::clamp(of_point.cwiseProduct(decayed).sum().real(), 0.0, 1.0);
+    const double sum = (modes.coefficients * decayed)(0).real();
+    values(k) = t == 0 ? 1 : std::clamp(sum, 0.0, 1.0);
+  }
+  return values;
+}
+
+// A stay below the barrier has the length l. With the rate nu of downcrossings the stationary start
+// has the survival probability E(l - t)^+ / E l, which is the integral of nu P(l > t) from t to
+// infinity, divided by its value for t = 0.
+Eigen::VectorXd PassageSolverOnGrid::solve_from_stationary(const StationaryCrossings& law,
+                                                           const std::vector<double>& times,
+                                                           std::size_t omitted_count) const {
+  // The functional is the mean over the downcrossings, in units of their rate.
+  ReducedOrderPassageModel model(node_count_, 1);
+  std::vector<double> functionals;
+  for (std::size_t k = 0; k + omitted_count < basis_.size(); ++k) {
+    double sum = 0;
+    for (std::size_t m = 0; m < law.velocities.size(); ++m) {
+      sum += law.rates(static_cast<Eigen::Index>(m)) *
+             evaluate_basis_function(k, {barrier_, law.velocities[m]});
     }
-    if (laws_) values(n + k) = of_law.cwiseProduct(decayed).sum().real() / of_law_at_0;
+    functionals.push_back(sum);
+    ReducedOrderPassageModel::BasisFunction function = basis_[k];
+    function.functionals = Eigen::VectorXd::Constant(1, sum);
+    model.add_basis_function(function);
+  }
+  const ReducedOrderPassageModel::Modes modes = model.compute_modes();
+  const Eigen::VectorXcd coefficients =
+      (modes.coefficients.row(0).array() / -modes.rates.transpose().array());
+  Eigen::VectorXd values(static_cast<Eigen::Index>(times.size()) + 1);
+  // E[tau] = E[l^2] / (2 E[l])
+  values(0) = functionals[kHalfMeanSquareFunction] / functionals[kMeanFunction];
+  for (Eigen::Index k = 1; k < values.size(); ++k) {
+    const Eigen::VectorXcd decayed =
+        (times[static_cast<std::size_t>(k - 1)] * modes.rates).array().exp();
+    values(k) = coefficients.cwiseProduct(decayed).sum().real() / coefficients.sum().real();
   }
   return values;
 }
@@ -316,69 +341,74 @@ std::optional<PassageValues> PassageSolverOnGrid::solve(std::vector<double>& tim
   const double slope = rate_ * left.dot(operators[3].matrix * right) / left.dot(right);
   PassageValues values = PassageValues::Zero(kPassageValueCount);
   values(kHazard) = hazard_ + distance / slope;
-  add_to_model(right, -values(kHazard), 0);
-  const Functionals mean = add_to_model(h, 0, 1);
-  values(kMeanFromPoint) = mean(kOfPoint);
-  // The derivative of the Laplace transform at 0 is -T2, where L T2 = -T and E tau^2 = 2 T2. The
-  // mean h2 of T2 over an impulse satisfies h2 = B (1 + lambda h) + lambda A h2, where B has the
-  // weight t exp(-lambda t).
+  add_to_model({.node_values = right, .functionals = {}, .shift = -values(kHazard), .source = 0});
+  values(kMeanFromPoint) = add_to_model({.node_values = h, .functionals = {}});
+  // The derivative of the Laplace transform at 0 is -T2, where L T2 = -T and E tau^2 = 2 T2.
   const Eigen::VectorXd h2 =
       lu_of_mean.solve(operators[1].values_of_one + rate_ * (operators[1].matrix * h));
-  const Functionals half_mean_square = evaluate([&](const PhaseState& state) {
-    const auto once = equation_.integrate_from_state(state, {rate_}),
-               twice = equation_.integrate_from_state(state, {rate_, 1});
-    return twice.integral_of_one + rate_ * (twice.node_weights.dot(h) + once.node_weights.dot(h2));
-  });
-  model_.add_basis_function({h2, half_mean_square, 0, 0, true});
-  other_errors_ = PassageValues::Zero(kPassageValueCount);
-  if (laws_) {
-    // E[tau] = E[l^2] / (2 E[l]) for the lengths l of the stays below the barrier
-    const auto of_law = [&](PassageFunctionalIndex law) {
-      return half_mean_square(law) / mean(law);
-    };
-    const auto [value, error] = estimate_from_grids(of_law(kOfFinerLaw), of_law(kOfCoarserLaw));
-    values(kMeanFromStationary) = value;
-    other_errors_(kMeanFromStationary) = error;
-  }
-  if (times.empty()) {
-    times =
-        transform::automatic_survival_times(values(laws_ ? kMeanFromStationary : kMeanFromPoint));
-  }
+  add_to_model({.node_values = h2, .functionals = {}, .source = 0, .has_previous = true});
+  if (times.empty()) times = transform::automatic_survival_times(values(kMeanFromPoint));
 
   // Shifts of further Laplace transforms, in units of the slowest decay rate. From a stationary
   // start, and after a few times the longest relaxation time from any start, few shifts suffice. At
   // short times the inversion of Laplace transforms at real shifts is inaccurate.
   constexpr std::array kShifts{2.0, 8.0, 0.5, 32.0, 128.0, 4.0, 16.0};
-  const double unit = problem::motion_scales(passage_.problem).slowest_decay_rate;
-  PassageValues survival = survival_probabilities(times, kOfFinerLaw);
+  PassageValues survival = survival_probabilities(times);
   PassageValues last_change = PassageValues::Constant(survival.size(), HUGE_VAL),
                 change = last_change;
   for (const double factor : kShifts) {
-    const double shift = factor * unit;
+    const double shift = factor * slowest_decay_rate_;
     auto shifted = equation_.compute_operators({{rate_ + shift}}, deadline);
     if (shifted.empty()) return std::nullopt;
-    add_to_model(factorise(shifted[0].matrix).solve(shifted[0].values_of_one), shift, 1);
-    const PassageValues next = survival_probabilities(times, kOfFinerLaw);
+    add_to_model({.node_values = factorise(shifted[0].matrix).solve(shifted[0].values_of_one),
+                  .functionals = {},
+                  .shift = shift});
+    const PassageValues next = survival_probabilities(times);
     last_change = change;
     change = (next - survival).cwiseAbs();
     survival = next;
     if (change.cwiseMax(last_change).maxCoeff() <= tolerance) break;
   }
-  const Eigen::Index size = survival.size();
-  values.conservativeResize(kPassageValueCount + size);
-  values.tail(size) = survival;
-  other_errors_.conservativeResize(kPassageValueCount + size);
-  other_errors_.tail(size) =
-      change.cwiseMax(last_change) +
-      kErrorFactor * (survival - survival_probabilities(times, kOfCoarserLaw)).cwiseAbs();
+  values.conservativeResize(kPassageValueCount + survival.size());
+  values.tail(survival.size()) = survival;
+  model_errors_ = PassageValues::Zero(values.size());
+  model_errors_.tail(survival.size()) = change.cwiseMax(last_change);
   return values;
+}
+
+// Values of the stationary start: the mean time, then the survival probabilities
+struct StationaryStartValues {
+  StationaryCrossingsOnTwoGrids laws;
+  Eigen::VectorXd values, errors;
+};
+
+// Computes the values of the stationary start with the solvers on the last two grids. The result is
+// empty if there is no accurate stationary law before the deadline.
+std::optional<StationaryStartValues> solve_stationary_start(const FirstPassageProblem& passage,
+                                                            const PassageSolverOnGrid& finer,
+                                                            const PassageSolverOnGrid& coarser,
+                                                            const std::vector<double>& times,
+                                                            double tolerance,
+                                                            const base::Deadline& deadline) {
+  auto laws = solve_stationary_laws(passage, tolerance, deadline);
+  if (!laws) return std::nullopt;
+  const Eigen::VectorXd values = finer.solve_from_stationary(laws->finer, times);
+  const auto distance_from = [&](const Eigen::VectorXd& other) -> Eigen::VectorXd {
+    return (values - other).cwiseAbs();
+  };
+  Eigen::VectorXd errors =
+      kErrorFactor * (distance_from(coarser.solve_from_stationary(laws->finer, times)) +
+                      distance_from(finer.solve_from_stationary(laws->coarser, times)));
+  // The reduced model: its changes by the last function and by the last two functions
+  errors += distance_from(finer.solve_from_stationary(laws->finer, times, 1))
+                .cwiseMax(distance_from(finer.solve_from_stationary(laws->finer, times, 2)));
+  return StationaryStartValues{std::move(*laws), values, errors};
 }
 
 }  // namespace
 
-FirstPassageResult solve_passage(const problem::Problem& problem,
-                                 const PassageCollocationOptions& options, double barrier,
-                                 std::vector<double> times,
+FirstPassageResult solve_passage(const problem::Problem& problem, PassageCollocationOptions options,
+                                 double barrier, std::vector<double> times,
                                  std::optional<transform::PassageStartState> start) {
   const base::Stopwatch stopwatch;
   const base::Deadline deadline(options.max_seconds);
@@ -397,13 +427,12 @@ FirstPassageResult solve_passage(const problem::Problem& problem,
   // Nodes per standard deviation of the amplitude on the first grid
   constexpr double kFirstNodes = 0.96;
   // The grids are refined until the error is a fraction of the required accuracy, since the errors
-  // decrease quickly. The errors of the stationary law decrease slowly.
-  constexpr double kTargetFraction = 1e-2, kTargetFractionOfLaw = 0.5, kTimeFractionOfLaw = 0.5;
-  const std::optional<StationaryCrossingsOnTwoGrids> laws =
-      solve_stationary_laws(below, kTargetFractionOfLaw * options.accuracy,
-                            base::Deadline(kTimeFractionOfLaw * options.max_seconds));
+  // decrease quickly, but for at most half of the time limit once the required accuracy is reached.
+  // The other half is for the stationary law, whose errors decrease more slowly.
+  constexpr double kTargetFraction = 0.1, kTargetFractionOfLaw = 0.5, kTimeFraction = 0.5;
   std::optional<PassageValues> last;
-  PassageValues errors, other_errors;
+  PassageValues errors, model_errors;
+  std::unique_ptr<PassageSolverOnGrid> last_solver, previous_solver;
   std::string limit;
   double seconds_of_last_grid = 0;
   const double rate = transformed.impulses.arrival_rate();
@@ -417,16 +446,16 @@ FirstPassageResult solve_passage(const problem::Problem& problem,
       const bool is_relative = k < kPassageValueCount;
       const double magnitude =
           is_relative ? std::max(std::abs((*last)(k)), std::numeric_limits<double>::min()) : 1;
-      if (is_relative || other_errors(k) <= max_model_error) {
+      if (is_relative || model_errors(k) <= max_model_error) {
         largest = std::max(largest, of(k) / magnitude);
       }
     }
     return largest;
   };
-  const bool has_automatic_times = times.empty();
+  options.omits_inaccurate_times |= times.empty();
   for (double nodes = kFirstNodes; errors.size() == 0 || largest_error(errors, target) > target;
        nodes *= kNodeRatio) {
-    const auto [n_y, n_v] = choose_node_counts(below, nodes);
+    const auto [n_y, n_v] = choose_node_counts(below, below.domain, nodes);
     if (n_y * n_v > kMaxNodes) {
       limit = fmt::format("more than {} nodes are needed", kMaxNodes);
       break;
@@ -436,10 +465,15 @@ FirstPassageResult solve_passage(const problem::Problem& problem,
     // along all trajectories by kNodeRatio^5.
     const double growth = std::pow(kNodeRatio, 5);
     const base::Stopwatch grid_stopwatch;
-    PassageSolverOnGrid solver(below, grid, kPanelRefinement * nodes, hazard, laws);
+    if (errors.size() != 0 && largest_error(errors, target) <= options.accuracy &&
+        stopwatch.seconds() + growth * seconds_of_last_grid > kTimeFraction * options.max_seconds) {
+      break;
+    }
+    auto solver =
+        std::make_unique<PassageSolverOnGrid>(below, grid, kPanelRefinement * nodes, hazard);
     std::optional<PassageValues> values;
     if (deadline.has_time_for(growth * seconds_of_last_grid)) {
-      values = solver.solve(times, target, deadline);
+      values = solver->solve(times, target, deadline);
     }
     if (!values) {
       limit = fmt::format("the time limit of {:g} s is reached; raise --max-seconds",
@@ -453,7 +487,8 @@ FirstPassageResult solve_passage(const problem::Problem& problem,
     seconds_of_last_grid = grid_stopwatch.seconds();
     if (last) errors = kErrorFactor * (*values - *last).cwiseAbs();
     last = values;
-    other_errors = solver.other_errors();
+    model_errors = solver->model_errors();
+    previous_solver = std::exchange(last_solver, std::move(solver));
     // The next grid continues Newton's method for the hazard. The limit (hazard + rate) / 2
     // shortens a step that would exceed the rate of the impulses.
     hazard = std::clamp((*values)(kHazard), 0.0, (hazard + rate) / 2);
@@ -472,33 +507,43 @@ FirstPassageResult solve_passage(const problem::Problem& problem,
         found, rate);
     return passage;
   }
-  const PassageValues total_errors = errors + other_errors;
+  const PassageValues total_errors = errors + model_errors;
   const auto value_at = [&](Eigen::Index k) { return ValueWithError{(*last)(k), total_errors(k)}; };
-  const auto n = static_cast<Eigen::Index>(times.size());
   passage.hazard = value_at(kHazard);
   if (start) passage.mean_from_point = value_at(kMeanFromPoint);
   double error = largest_error(total_errors.head(kPassageValueCount), HUGE_VAL);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const ValueWithError from_point = value_at(kPassageValueCount + k),
-                         from_stationary = value_at(kPassageValueCount + n + k);
-    const double error_at_time = std::max(from_point.error, from_stationary.error);
-    // Automatic times are those at which the survival probabilities are accurate.
-    if (has_automatic_times && error_at_time > options.accuracy) continue;
+  const auto stationary = solve_stationary_start(below, *last_solver, *previous_solver, times,
+                                                 kTargetFractionOfLaw * options.accuracy, deadline);
+  const auto stationary_value_at = [&](Eigen::Index k) {
+    return ValueWithError{stationary->values(k), stationary->errors(k)};
+  };
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const auto n = static_cast<Eigen::Index>(k);
+    std::optional<ValueWithError> from_point, from_stationary;
+    if (start) from_point = value_at(kPassageValueCount + n);
+    if (stationary) from_stationary = stationary_value_at(n + 1);
+    const double error_at_time =
+        std::max(from_point ? from_point->error : 0, from_stationary ? from_stationary->error : 0);
+    if (options.omits_inaccurate_times && error_at_time > options.accuracy) continue;
     error = std::max(error, error_at_time);
-    passage.times.push_back(times[static_cast<std::size_t>(k)]);
-    if (start) passage.survival_from_point.push_back(from_point);
-    if (laws) passage.survival_from_stationary.push_back(from_stationary);
+    passage.times.push_back(times[k]);
+    if (from_point) passage.survival_from_point.push_back(*from_point);
+    if (from_stationary) passage.survival_from_stationary.push_back(*from_stationary);
   }
-  if (laws) {
-    passage.mean_from_stationary = value_at(kMeanFromStationary);
-    passage.rice_rate = estimate_from_grids(laws->finer.rates.sum(), laws->coarser.rates.sum());
+  if (stationary) {
+    const auto& [finer, coarser] = stationary->laws;
+    passage.mean_from_stationary = stationary_value_at(0);
+    error =
+        std::max(error, passage.mean_from_stationary->error / passage.mean_from_stationary->value);
+    passage.rice_rate = estimate_from_grids(finer.rates.sum(), coarser.rates.sum());
     passage.probability_below =
-        estimate_from_grids(laws->finer.probability_below, laws->coarser.probability_below);
+        estimate_from_grids(finer.probability_below, coarser.probability_below);
   } else {
     passage.details += transformed.system.right_wall()
                            ? ", no stationary law with a wall beyond the barrier"
                            : ", no accurate stationary law within the time limit";
   }
+  passage.seconds = stopwatch.seconds();
   passage.status = Status::ok;
   if (!(error <= options.accuracy)) {
     passage.status = Status::inaccurate;

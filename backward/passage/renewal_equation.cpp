@@ -45,17 +45,18 @@ void ChebyshevGrid::BarycentricInterpolation::evaluate_lagrange_polynomials(
 
 ChebyshevGrid::ChebyshevGrid(const Domain& domain, int y_node_count, int v_node_count)
     : domain_(domain),
-      y_interpolation_(0, std::sqrt(std::abs(domain.barrier - domain.y_end)), y_node_count),
+      y_interpolation_(0,
+                       domain.ends_at_barrier ? std::sqrt(domain.y_high - domain.y_low)
+                                              : domain.y_high - domain.y_low,
+                       y_node_count),
       v_interpolation_(-domain.v_max, domain.v_max, v_node_count) {
-  assert(domain.y_end != domain.barrier && domain.v_max > 0 && y_node_count > 0 &&
-         v_node_count > 0);
+  assert(domain.y_low < domain.y_high && domain.v_max > 0 && y_node_count > 0 && v_node_count > 0);
 }
 
 void ChebyshevGrid::evaluate_y_polynomials(double y, Eigen::Ref<Eigen::VectorXd> values) const {
-  const double distance =
-      std::clamp(domain_.sign_of_barrier_distance() * (domain_.barrier - y), 0.0,
-                 domain_.sign_of_barrier_distance() * (domain_.barrier - domain_.y_end));
-  y_interpolation_.evaluate_lagrange_polynomials(std::sqrt(distance), values);
+  const double distance = std::clamp(domain_.y_high - y, 0.0, domain_.y_high - domain_.y_low);
+  y_interpolation_.evaluate_lagrange_polynomials(
+      domain_.ends_at_barrier ? std::sqrt(distance) : distance, values);
 }
 
 void ChebyshevGrid::evaluate_v_polynomials(double v, Eigen::Ref<Eigen::VectorXd> values) const {
@@ -77,12 +78,14 @@ std::array<double, 2> effective_amplitude_range(const problem::ImpulseLaw& law) 
 }
 
 RenewalEquation::RenewalEquation(const problem::Problem& problem, const ChebyshevGrid& grid,
-                                 double min_decay_rate, double panel_refinement,
+                                 double min_decay_rate, double panel_refinement, double barrier,
                                  BarrierKind barrier_kind)
     : problem_(problem),
       grid_(grid),
+      barrier_(barrier),
       panel_refinement_(panel_refinement),
-      motion_solver_(problem.system, grid.phase_plane_domain().barrier,
+      motion_solver_(problem.system, barrier,
+                     grid.phase_plane_domain().y_high - grid.phase_plane_domain().y_low,
                      problem.impulses.amplitude_law().amplitude_standard_deviation(),
                      panel_refinement, barrier_kind),
       max_duration_(kMaxExponent / min_decay_rate) {
@@ -104,8 +107,8 @@ std::vector<double> RenewalEquation::find_velocities_of_nonsmooth_integrals(doub
       velocities.push_back(v);
     }
   };
-  if (motion_solver_.acceleration({grid_.phase_plane_domain().barrier, 0}) < 0)
-    add_velocities_of_grazing_trajectory(grid_.phase_plane_domain().barrier);
+  if (std::isfinite(barrier_) && motion_solver_.acceleration({barrier_, 0}) < 0)
+    add_velocities_of_grazing_trajectory(barrier_);
   const auto& wall = problem_.system.left_wall();
   if (wall && motion_solver_.acceleration({wall->position, 0}) > 0)
     add_velocities_of_grazing_trajectory(wall->position);
@@ -117,14 +120,14 @@ std::array<double, 2> RenewalEquation::velocity_range() const {
           grid_.phase_plane_domain().v_max + max_amplitude_};
 }
 
-double VelocityIntervalMap::velocity(double x) const {
+double IntervalMap::value(double x) const {
   if (is_smooth_at_begin && is_smooth_at_end) return begin + length * x;
   if (is_smooth_at_begin) return begin + length * x * (2 - x);
   if (is_smooth_at_end) return begin + length * x * x;
   return begin + length * x * x * (3 - 2 * x);
 }
 
-double VelocityIntervalMap::slope(double x) const {
+double IntervalMap::slope(double x) const {
   if (is_smooth_at_begin && is_smooth_at_end) return length;
   if (is_smooth_at_begin) return length * 2 * (1 - x);
   if (is_smooth_at_end) return length * 2 * x;
@@ -134,17 +137,16 @@ double VelocityIntervalMap::slope(double x) const {
 namespace {
 
 // Divides the interval [low, high] of x at the points where the amplitude density, as a function of
-// the velocity map.velocity(x) after an impulse, is not smooth. The velocity before the impulse is
+// the velocity map.value(x) after an impulse, is not smooth. The velocity before the impulse is
 // v.
-std::vector<double> ends_of_smooth_parts(const VelocityIntervalMap& map, double low, double high,
-                                         double v,
+std::vector<double> ends_of_smooth_parts(const IntervalMap& map, double low, double high, double v,
                                          const std::vector<double>& amplitude_density_breakpoints) {
   std::vector<double> ends{low, high};
   for (const double amplitude : amplitude_density_breakpoints) {
     const double after = v + amplitude;
-    if (after <= map.velocity(low) || after >= map.velocity(high)) continue;
+    if (after <= map.value(low) || after >= map.value(high)) continue;
     ends.push_back(
-        numerics::bracketed_root([&](double x) { return map.velocity(x) - after; }, low, high, 48));
+        numerics::bracketed_root([&](double x) { return map.value(x) - after; }, low, high, 48));
   }
   std::ranges::sort(ends);
   return ends;
@@ -169,10 +171,10 @@ std::vector<VelocityQuadraturePanel> RenewalEquation::divide_velocities_into_pan
       ends.end());
   std::vector<VelocityQuadraturePanel> panels;
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-    const VelocityIntervalMap map{.begin = ends[k],
-                                  .length = ends[k + 1] - ends[k],
-                                  .is_smooth_at_begin = k == 0,
-                                  .is_smooth_at_end = k + 2 == ends.size()};
+    const IntervalMap map{.begin = ends[k],
+                          .length = ends[k + 1] - ends[k],
+                          .is_smooth_at_begin = k == 0,
+                          .is_smooth_at_end = k + 2 == ends.size()};
     const int count =
         std::max(1, static_cast<int>(std::ceil(kLargestSlope * map.length * panel_refinement_ /
                                                (kPanelWidth * deviation))));
@@ -199,13 +201,13 @@ RenewalEquation::VelocityQuadrature RenewalEquation::make_velocity_quadrature(do
   std::vector<Eigen::MatrixXd> panel_weights;
   for (const auto& [map, begin, end, nodes, gauss_weights] :
        divide_velocities_into_panels(y, low, high)) {
-    for (const double x : nodes) rule.velocities.push_back(map.velocity(x));
+    for (const double x : nodes) rule.velocities.push_back(map.value(x));
     Eigen::MatrixXd& weights =
         panel_weights.emplace_back(Eigen::MatrixXd::Zero(grid_.v_node_count(), kPoints));
     for (int j = 0; j < grid_.v_node_count(); ++j) {
       const double v = grid_.v_node(j);
       const auto density = [&, &of = map](double x) {
-        return of.slope(x) * law.density(of.velocity(x) - v);
+        return of.slope(x) * law.density(of.value(x) - v);
       };
       const std::vector<double> parts = ends_of_smooth_parts(map, begin, end, v, breakpoints);
       if (parts.size() == 2) {
@@ -270,17 +272,26 @@ void RenewalEquation::integrate_along_trajectory(
 
 std::vector<RenewalEquation::MotionIntegralOperator> RenewalEquation::compute_operators(
     const std::vector<TimeSinceImpulseWeight>& weights, const base::Deadline& deadline) const {
+  std::vector<double> displacements;
+  for (int i = 0; i < grid_.y_node_count(); ++i) displacements.push_back(grid_.y_node(i));
+  return compute_operators_at(displacements, weights, deadline);
+}
+
+std::vector<RenewalEquation::MotionIntegralOperator> RenewalEquation::compute_operators_at(
+    const std::vector<double>& displacements, const std::vector<TimeSinceImpulseWeight>& weights,
+    const base::Deadline& deadline) const {
   const auto weight_count = static_cast<Eigen::Index>(weights.size());
   const Eigen::Index n_v = grid_.v_node_count(), size = grid_.node_count();
   std::vector<MotionIntegralOperator> operators(weights.size());
   for (MotionIntegralOperator& one : operators) {
-    one.matrix.resize(size, size);
-    one.values_of_one.resize(size);
+    const Eigen::Index row_count = static_cast<Eigen::Index>(displacements.size()) * n_v;
+    one.matrix.resize(row_count, size);
+    one.values_of_one.resize(row_count);
   }
-  // The rows of the operators that belong to the nodes (y_i, v_j) with one y_i
-  const auto compute_rows = [&](std::size_t y_node) {
-    const int i = static_cast<int>(y_node);
-    const double y = grid_.y_node(i);
+  // The rows of the operators that belong to one displacement
+  const auto compute_rows = [&](std::size_t i) {
+    const double y = displacements[i];
+    const Eigen::Index first_row = static_cast<Eigen::Index>(i) * n_v;
     const VelocityQuadrature rule = make_velocity_quadrature(y);
     const auto velocity_count = static_cast<Eigen::Index>(rule.velocities.size());
     // Integrals along the trajectories: one row for each velocity, and consecutive columns for the
@@ -303,14 +314,13 @@ std::vector<RenewalEquation::MotionIntegralOperator> RenewalEquation::compute_op
     }
     for (Eigen::Index k = 0; k < weight_count; ++k) {
       MotionIntegralOperator& target = operators[static_cast<std::size_t>(k)];
-      target.matrix.middleRows(grid_.node_index(i, 0), n_v).noalias() =
+      target.matrix.middleRows(first_row, n_v).noalias() =
           rule.weights * integrals.middleCols(k * size, size);
-      target.values_of_one.segment(grid_.node_index(i, 0), n_v).noalias() =
+      target.values_of_one.segment(first_row, n_v).noalias() =
           rule.weights * integrals_of_one.col(k);
     }
   };
-  base::parallel_for(static_cast<std::size_t>(grid_.y_node_count()), base::kOneThreadPerProcessor,
-                     compute_rows);
+  base::parallel_for(displacements.size(), base::kOneThreadPerProcessor, compute_rows);
   if (deadline.has_deadline_passed()) return {};
   return operators;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cassert>
 #include <vector>
 
 #include "backward/passage/unforced_motion.hpp"
@@ -10,18 +11,16 @@
 
 namespace fpkcheck::backward {
 
-/// Tensor product of Chebyshev nodes in sqrt(|barrier - y|) and in v, for the interpolation of
-/// functions on the phase plane below a barrier, or above the barrier. Outside the domain of the
-/// grid an interpolated function is constant along y and along v.
+/// Tensor product of Chebyshev nodes in y or in sqrt(y_high - y), and in v, for the interpolation
+/// of functions on the phase plane. Outside the domain of the grid an interpolated function is
+/// constant along y and along v.
 class ChebyshevGrid {
  public:
-  /// Rectangle |v| <= v_max of the phase plane between the barrier and the displacement y_end,
-  /// which is below or above the barrier.
+  /// Rectangle y_low <= y <= y_high, |v| <= v_max of the phase plane
   struct Domain {
-    double y_end, barrier, v_max;
-
-    /// sign of barrier - y
-    double sign_of_barrier_distance() const { return y_end < barrier ? 1 : -1; }
+    double y_low, y_high, v_max;
+    /// Whether y_high is an absorbing barrier. The functions are then smooth in sqrt(y_high - y).
+    bool ends_at_barrier = true;
   };
   ChebyshevGrid(const Domain& domain, int y_node_count, int v_node_count);
 
@@ -31,8 +30,8 @@ class ChebyshevGrid {
   Eigen::Index node_count() const { return y_interpolation_.size() * v_interpolation_.size(); }
   const Domain& phase_plane_domain() const { return domain_; }
   double y_node(int i) const {
-    return domain_.barrier - domain_.sign_of_barrier_distance() * y_interpolation_.nodes(i) *
-                                 y_interpolation_.nodes(i);
+    const double x = y_interpolation_.nodes(i);
+    return domain_.y_high - (domain_.ends_at_barrier ? x * x : x);
   }
   double v_node(int j) const { return v_interpolation_.nodes(j); }
   /// Returns the index of the node (y_node(i), v_node(j)) in a vector of the values of a function
@@ -55,7 +54,7 @@ class ChebyshevGrid {
     void evaluate_lagrange_polynomials(double x, Eigen::Ref<Eigen::VectorXd> values) const;
   };
   Domain domain_;
-  BarycentricInterpolation y_interpolation_;  // in the coordinate sqrt(|barrier - y|)
+  BarycentricInterpolation y_interpolation_;  // in y_high - y or in sqrt(y_high - y)
   BarycentricInterpolation v_interpolation_;
 };
 
@@ -65,20 +64,20 @@ struct TimeSinceImpulseWeight {
   int time_power = 0;
 };
 
-/// Map v(x) from x in [0, 1] to an interval of velocities. The slope v'(x) is 0 at the ends of the
-/// interval at which integrals along trajectories are not smooth.
-struct VelocityIntervalMap {
+/// Map z(x) from x in [0, 1] to an interval of velocities or displacements z. The slope z'(x) is 0
+/// at the ends of the interval at which integrals along trajectories are not smooth.
+struct IntervalMap {
   double begin, length;
   bool is_smooth_at_begin, is_smooth_at_end;
 
-  double velocity(double x) const;
+  double value(double x) const;
   double slope(double x) const;
 };
 
 /// Interval [begin, end] of x with the Gauss points in x, as nodes of the interpolation in x.
 struct VelocityQuadraturePanel {
   static constexpr unsigned kPoints = 10;
-  VelocityIntervalMap map;
+  IntervalMap map;
   double begin, end;
   std::vector<double> nodes, weights;  ///< points and weights of the Gauss rule
 };
@@ -101,11 +100,19 @@ class RenewalEquation {
   /// integrate_from_state(), which limits the durations of the trajectories
   /// @param panel_refinement factor by which the panels of the quadrature rules in time and in
   /// velocity are shorter than with the factor 1
+  /// @param barrier displacement at which trajectories end; infinity without a barrier
   /// @param barrier_kind whether the trajectories on which integrals are not smooth end at the
   /// barrier
   /// @pre the impulses have an amplitude law with a density, and no factor
   RenewalEquation(const problem::Problem& problem, const ChebyshevGrid& grid, double min_decay_rate,
-                  double panel_refinement, BarrierKind barrier_kind = BarrierKind::absorbing);
+                  double panel_refinement, double barrier, BarrierKind barrier_kind);
+  /// Equation for an absorbing barrier at the upper end of the grid
+  RenewalEquation(const problem::Problem& problem, const ChebyshevGrid& grid, double min_decay_rate,
+                  double panel_refinement)
+      : RenewalEquation(problem, grid, min_decay_rate, panel_refinement,
+                        grid.phase_plane_domain().y_high, BarrierKind::absorbing) {
+    assert(grid.phase_plane_domain().ends_at_barrier);
+  }
 
   /// The discretised operator A of one weight function.
   struct MotionIntegralOperator {
@@ -115,6 +122,12 @@ class RenewalEquation {
   /// Computes the operators of several weights. The result is empty if the deadline passes.
   std::vector<MotionIntegralOperator> compute_operators(
       const std::vector<TimeSinceImpulseWeight>& weights, const base::Deadline& deadline) const;
+
+  /// Computes the same operators with the values of A f at the states (displacements[i], v_j) in
+  /// place of the nodes of the grid, where v_j are the nodes in v of the grid.
+  std::vector<MotionIntegralOperator> compute_operators_at(
+      const std::vector<double>& displacements, const std::vector<TimeSinceImpulseWeight>& weights,
+      const base::Deadline& deadline) const;
 
   /// The linear form f -> int_0^te w(t) f(X_t) dt of the motion from one state.
   struct MotionIntegral {
@@ -159,7 +172,7 @@ class RenewalEquation {
 
   problem::Problem problem_;
   ChebyshevGrid grid_;
-  double panel_refinement_;
+  double barrier_, panel_refinement_;
   UnforcedMotionSolver motion_solver_;
   double max_duration_;  // longest duration of a trajectory; afterwards the weights are < 1.5e-8
   double min_amplitude_, max_amplitude_;  // effective_amplitude_range()

@@ -3,13 +3,14 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/process/parallel_for.hpp"
 #include "numerics/chebyshev_interpolation.hpp"
+#include "numerics/quadrature/gauss_rule.hpp"
 #include "numerics/roots/bracketed_root.hpp"
 
 namespace fpkcheck::backward {
@@ -29,7 +30,7 @@ class VelocityInterpolationNodes {
   std::vector<double> velocities() const {
     std::vector<double> all;
     for (const VelocityQuadraturePanel& panel : panels_) {
-      for (const double x : panel.nodes) all.push_back(panel.map.velocity(x));
+      for (const double x : panel.nodes) all.push_back(panel.map.value(x));
     }
     return all;
   }
@@ -37,12 +38,12 @@ class VelocityInterpolationNodes {
   // the nodes. Velocities outside the panels are moved to the nearest end of the panels.
   void add_value(double v, double weight, Eigen::Ref<Eigen::RowVectorXd> form) const {
     const auto above = std::ranges::find_if(panels_, [v](const VelocityQuadraturePanel& panel) {
-      return v < panel.map.velocity(panel.end);
+      return v < panel.map.value(panel.end);
     });
     const auto panel = above == panels_.end() ? above - 1 : above;
-    double x = v <= panel->map.velocity(panel->begin) ? panel->begin : panel->end;
-    if (v > panel->map.velocity(panel->begin) && v < panel->map.velocity(panel->end)) {
-      x = numerics::bracketed_root([&](double at) { return panel->map.velocity(at) - v; },
+    double x = v <= panel->map.value(panel->begin) ? panel->begin : panel->end;
+    if (v > panel->map.value(panel->begin) && v < panel->map.value(panel->end)) {
+      x = numerics::bracketed_root([&](double at) { return panel->map.value(at) - v; },
                                    panel->begin, panel->end);
     }
     const std::vector<double> lagrange = numerics::lagrange_weights(panel->nodes, x);
@@ -57,133 +58,154 @@ class VelocityInterpolationNodes {
   std::vector<VelocityQuadraturePanel> panels_;
 };
 
+// Returns the Gauss rule of displacements for functions that are not smooth at the barrier and at
+// the turning points of the trajectory that grazes the barrier. On both sides of these
+// displacements the functions are smooth in the square root of the distance.
+numerics::QuadratureRule make_displacement_rule(const ChebyshevGrid& grid, double barrier,
+                                                std::vector<double> turning_points) {
+  constexpr unsigned kPointsPerPanel = 10;
+  constexpr double kPanelsPerNode = 0.4;
+  const auto& [y_low, y_high, v_max, ends_at_barrier] = grid.phase_plane_domain();
+  std::vector<double> ends{y_low, barrier, y_high};
+  for (const double y : turning_points) {
+    if (y > y_low && y < y_high) ends.push_back(y);
+  }
+  std::ranges::sort(ends);
+  numerics::QuadratureRule rule;
+  std::vector<double> weights;
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    const IntervalMap map{ends[k], ends[k + 1] - ends[k], k == 0, k + 2 == ends.size()};
+    const double share = map.length / (y_high - y_low);
+    const int panels = static_cast<int>(std::ceil(kPanelsPerNode * grid.y_node_count() * share));
+    for (const auto& [at, weight] :
+         numerics::composite_gauss_points<kPointsPerPanel>(0, 1, panels)) {
+      rule.points.push_back(map.value(at));
+      weights.push_back(weight * map.slope(at));
+    }
+  }
+  rule.weights =
+      Eigen::Map<const Eigen::VectorXd>(weights.data(), static_cast<Eigen::Index>(weights.size()));
+  return rule;
+}
+
+// Returns the values at the nodes of a grid of the projections of functions to polynomials in y.
+// The projection is orthogonal in L2 on the domain of the grid.
+// @param rule quadrature rule of displacements
+// @param values values of one function in each column, at the velocity nodes for the first
+// displacement, then at those for the next one
+Eigen::MatrixXd project_to_nodes(const ChebyshevGrid& grid, const numerics::QuadratureRule& rule,
+                                 const Eigen::MatrixXd& values) {
+  const Eigen::VectorXd root = rule.weights.cwiseSqrt();
+  Eigen::MatrixXd polynomials(rule.size(), grid.y_node_count());
+  Eigen::VectorXd at_y(grid.y_node_count());
+  for (Eigen::Index l = 0; l < rule.size(); ++l) {
+    grid.evaluate_y_polynomials(rule.points[static_cast<std::size_t>(l)], at_y);
+    polynomials.row(l) = root(l) * at_y;
+  }
+  const Eigen::MatrixXd projection =
+      polynomials.householderQr().solve(Eigen::MatrixXd(root.asDiagonal()));
+  const Eigen::Index n_v = grid.v_node_count();
+  Eigen::MatrixXd projected = Eigen::MatrixXd::Zero(grid.node_count(), values.cols());
+  for (int i = 0; i < grid.y_node_count(); ++i) {
+    for (Eigen::Index l = 0; l < rule.size(); ++l) {
+      projected.middleRows(grid.node_index(i, 0), n_v) +=
+          projection(i, l) * values.middleRows(l * n_v, n_v);
+    }
+  }
+  return projected;
+}
+
 }  // namespace
 
 std::optional<StationaryCrossings> compute_stationary_crossings(const problem::Problem& problem,
-                                                                const ChebyshevGrid& lower,
-                                                                const ChebyshevGrid& upper,
+                                                                const ChebyshevGrid& grid,
+                                                                double barrier,
                                                                 double panel_refinement,
                                                                 const base::Deadline& deadline) {
-  assert(!problem.system.right_wall());
+  assert(!problem.system.right_wall() && !grid.phase_plane_domain().ends_at_barrier);
+  assert(grid.phase_plane_domain().y_low < barrier && barrier < grid.phase_plane_domain().y_high);
   const double rate = problem.impulses.arrival_rate();
-  const auto make_equation = [&](const ChebyshevGrid& grid) {
-    return RenewalEquation(problem, grid, rate, panel_refinement, BarrierKind::permeable);
-  };
-  const std::array equations{make_equation(lower), make_equation(upper)};
-  const UnforcedMotionSolver& motion = equations[0].motion_solver();
-  const double max_duration = equations[0].max_duration();
-  const std::array<Eigen::Index, 2> first_node{0, lower.node_count()};
-  const Eigen::Index size = lower.node_count() + upper.node_count();
+  // The operator is projected to polynomials in y (Galerkin method). The law has a smooth density
+  // in y, and the error of the mean of a function is the integral of the remainder of this density
+  // times the remainder of the solution of a Poisson equation. The second remainder decreases
+  // slowly if the function jumps. With collocation in y the error is the second remainder alone.
+  constexpr int kSamplesPerNode = 2;
+  const numerics::QuadratureRule operator_rule = numerics::gauss_legendre_rule(
+      kSamplesPerNode * grid.y_node_count(), grid.phase_plane_domain().y_low,
+      grid.phase_plane_domain().y_high);
+  const auto operators =
+      RenewalEquation(problem, grid, rate, panel_refinement,
+                      std::numeric_limits<double>::infinity(), BarrierKind::permeable)
+          .compute_operators_at(operator_rule.points, {{rate}}, deadline);
+  if (operators.empty()) return std::nullopt;
+  Eigen::MatrixXd matrix = project_to_nodes(grid, operator_rule, operators[0].matrix);
 
-  // Calls visit(trajectory, side, time) for the parts of a trajectory on one side of the barrier,
-  // which begin at the given times. Side 0 is below the barrier.
-  const auto visit_parts = [&](PhaseState state, std::size_t side, TrajectoryNodeSelection content,
-                               const auto& visit) {
-    double time = 0;
-    while (time < max_duration) {
-      const UnforcedTrajectory trajectory =
-          motion.compute_trajectory(state, max_duration - time, content);
-      visit(trajectory, side, time);
-      if (!trajectory.passed_barrier) return;
-      time += trajectory.duration;
-      state = trajectory.end_state;
-      side = 1 - side;
-    }
-  };
-  Eigen::MatrixXd matrix(size, size);
-  const auto compute_rows = [&](std::size_t y_node) {
-    const std::size_t side = static_cast<int>(y_node) < lower.y_node_count() ? 0 : 1;
-    const ChebyshevGrid& grid = equations[side].grid();
-    const int i = static_cast<int>(y_node) - (side == 0 ? 0 : lower.y_node_count());
-    const auto rule = equations[side].make_velocity_quadrature(grid.y_node(i));
-    const auto velocity_count = static_cast<Eigen::Index>(rule.velocities.size());
-    RowMajorMatrix integrals = RowMajorMatrix::Zero(velocity_count, size);
-    std::array<Eigen::MatrixXd, 2> along;
-    for (const std::size_t k : {0, 1}) {
-      along[k].resize(equations[k].grid().y_node_count(), equations[k].grid().v_node_count());
-    }
-    Eigen::VectorXd one(1);
-    for (Eigen::Index q = 0; q < velocity_count && !deadline.has_deadline_passed(); ++q) {
-      visit_parts({grid.y_node(i), rule.velocities[static_cast<std::size_t>(q)]}, side,
-                  TrajectoryNodeSelection::quadrature_nodes,
-                  [&](const UnforcedTrajectory& trajectory, std::size_t k, double time) {
-                    equations[k].integrate_along_trajectory(trajectory, {{rate}}, along[k], one);
-                    integrals.row(q).segment(first_node[k], along[k].size()) +=
-                        std::exp(-rate * time) * along[k].transpose().reshaped().transpose();
-                  });
-    }
-    matrix.middleRows(first_node[side] + grid.node_index(i, 0), rule.weights.rows()).noalias() =
-        rule.weights * integrals;
-  };
-  base::parallel_for(static_cast<std::size_t>(lower.y_node_count() + upper.y_node_count()),
-                     base::kOneThreadPerProcessor, compute_rows);
-
+  const RenewalEquation equation(problem, grid, rate, panel_refinement, barrier,
+                                 BarrierKind::permeable);
+  const UnforcedMotionSolver& motion = equation.motion_solver();
+  const double max_duration = equation.max_duration();
+  const auto [low, high] = equation.velocity_range();
   // The panels for a displacement just below the barrier; the trajectories that graze the barrier
   // end at the barrier itself.
   constexpr double kOffset = 1e-9;
-  const auto& domain = lower.phase_plane_domain();
+  const auto& domain = grid.phase_plane_domain();
   const VelocityInterpolationNodes crossing_nodes(
-      RenewalEquation(problem, lower, rate, panel_refinement)
-          .divide_velocities_into_panels(domain.barrier - kOffset * (domain.barrier - domain.y_end),
-                                         equations[0].velocity_range()[0], 0));
+      RenewalEquation(problem, grid, rate, panel_refinement, barrier, BarrierKind::absorbing)
+          .divide_velocities_into_panels(barrier - kOffset * (barrier - domain.y_low), low, 0));
   // Linear forms of a trajectory: rates of downcrossings at the nodes, the number of upcrossings,
   // and the time below the barrier. They jump across the trajectories that graze the barrier. As
   // functions of y their means over an impulse are therefore not smooth at the turning points of
-  // these trajectories. The forms are computed at more displacements than the matrix and projected
-  // to polynomials by least squares.
-  constexpr int kSamplesPerNode = 4;
+  // these trajectories.
   const Eigen::Index crossing_count = crossing_nodes.size(), form_count = crossing_count + 2;
-  Eigen::MatrixXd forms = Eigen::MatrixXd::Zero(size, form_count);
-  for (const std::size_t side : {0, 1}) {
-    const ChebyshevGrid& grid = equations[side].grid();
-    const ChebyshevGrid samples(grid.phase_plane_domain(), kSamplesPerNode * grid.y_node_count(),
-                                grid.v_node_count());
-    const RenewalEquation equation = make_equation(samples);
-    std::vector<Eigen::MatrixXd> forms_at(static_cast<std::size_t>(samples.y_node_count()));
-    Eigen::MatrixXd polynomials(samples.y_node_count(), grid.y_node_count());
-    const auto compute_forms = [&](std::size_t l) {
-      const double y = samples.y_node(static_cast<int>(l));
-      Eigen::VectorXd values(grid.y_node_count());
-      grid.evaluate_y_polynomials(y, values);
-      polynomials.row(static_cast<Eigen::Index>(l)) = values;
-      const auto rule = equation.make_velocity_quadrature(y);
-      const auto velocity_count = static_cast<Eigen::Index>(rule.velocities.size());
-      RowMajorMatrix form_values = RowMajorMatrix::Zero(velocity_count, form_count);
-      for (Eigen::Index q = 0; q < velocity_count && !deadline.has_deadline_passed(); ++q) {
-        visit_parts({y, rule.velocities[static_cast<std::size_t>(q)]}, side,
-                    TrajectoryNodeSelection::end_only,
-                    [&](const UnforcedTrajectory& trajectory, std::size_t k, double time) {
-                      const double end = time + trajectory.duration;
-                      if (k == 0) {
-                        const double until = trajectory.passed_barrier ? std::exp(-rate * end) : 0;
-                        form_values(q, crossing_count + 1) +=
-                            (std::exp(-rate * time) - until) / rate;
-                      }
-                      if (!trajectory.passed_barrier) return;
-                      if (k == 0) {
-                        form_values(q, crossing_count) += std::exp(-rate * end);
-                      } else {
-                        crossing_nodes.add_value(trajectory.end_state.v, std::exp(-rate * end),
-                                                 form_values.row(q).head(crossing_count));
-                      }
-                    });
-      }
-      forms_at[l].noalias() = rule.weights * form_values;
-    };
-    base::parallel_for(forms_at.size(), base::kOneThreadPerProcessor, compute_forms);
-    const Eigen::MatrixXd projection = polynomials.householderQr().solve(
-        Eigen::MatrixXd::Identity(samples.y_node_count(), samples.y_node_count()));
-    for (int i = 0; i < grid.y_node_count(); ++i) {
-      auto rows = forms.middleRows(first_node[side] + grid.node_index(i, 0), grid.v_node_count());
-      for (std::size_t l = 0; l < forms_at.size(); ++l) {
-        rows += projection(i, static_cast<Eigen::Index>(l)) * forms_at[l];
+  std::vector<double> turning_points;
+  if (motion.acceleration({barrier, 0}) < 0) {
+    turning_points =
+        motion.find_backward_turning_points({barrier, 0}, max_duration, std::max(-low, high));
+  }
+  const numerics::QuadratureRule samples =
+      make_displacement_rule(grid, barrier, std::move(turning_points));
+  const Eigen::Index n_v = grid.v_node_count();
+  Eigen::MatrixXd forms_at(samples.size() * n_v, form_count);
+  const auto compute_forms = [&](std::size_t l) {
+    const double y = samples.points[l];
+    const auto rule = equation.make_velocity_quadrature(y);
+    const auto velocity_count = static_cast<Eigen::Index>(rule.velocities.size());
+    RowMajorMatrix form_values = RowMajorMatrix::Zero(velocity_count, form_count);
+    for (Eigen::Index q = 0; q < velocity_count && !deadline.has_deadline_passed(); ++q) {
+      PhaseState state{y, rule.velocities[static_cast<std::size_t>(q)]};
+      double time = 0;
+      bool is_below = y < barrier;
+      // The parts of the trajectory on one side of the barrier
+      while (time < max_duration) {
+        const UnforcedTrajectory part = motion.compute_trajectory(
+            state, max_duration - time, TrajectoryNodeSelection::end_only);
+        const double end = time + part.duration;
+        if (is_below) {
+          const double until = part.passed_barrier ? std::exp(-rate * end) : 0;
+          form_values(q, crossing_count + 1) += (std::exp(-rate * time) - until) / rate;
+        }
+        if (!part.passed_barrier) break;
+        if (is_below) {
+          form_values(q, crossing_count) += std::exp(-rate * end);
+        } else {
+          crossing_nodes.add_value(part.end_state.v, std::exp(-rate * end),
+                                   form_values.row(q).head(crossing_count));
+        }
+        time = end;
+        state = part.end_state;
+        is_below = !is_below;
       }
     }
-  }
+    forms_at.middleRows(static_cast<Eigen::Index>(l) * n_v, n_v).noalias() =
+        rule.weights * form_values;
+  };
+  base::parallel_for(samples.points.size(), base::kOneThreadPerProcessor, compute_forms);
   if (deadline.has_deadline_passed()) return std::nullopt;
+  const Eigen::MatrixXd forms = project_to_nodes(grid, samples, forms_at);
 
   // The law p satisfies p (I - rate A) = 0 and p 1 = 1. With any row w for which w 1 = 1 these are
   // the equations p (I - rate A + 1 w) = w.
+  const Eigen::Index size = grid.node_count();
   const Eigen::RowVectorXd w = Eigen::RowVectorXd::Constant(size, 1.0 / static_cast<double>(size));
   matrix *= -rate;
   matrix.diagonal().array() += 1;

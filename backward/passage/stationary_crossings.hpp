@@ -28,16 +28,16 @@ struct StationaryCrossings {
 ///
 /// Since impulses arrive at a constant rate, the stationary law of the chain is the stationary law
 /// of the process. The discretised law is the left null vector of I - lambda A. A function of the
-/// displacement that jumps at the barrier, and the number of crossings, are integrated along the
-/// trajectories from all nodes.
-/// @param lower nodes below the barrier
-/// @param upper nodes above the barrier, with the same barrier and the same nodes in v
+/// displacement that jumps at the barrier, and the number of crossings, are integrated along
+/// trajectories and projected to polynomials in y.
+/// @param grid nodes on the whole phase plane, without a barrier at their upper end
+/// @param barrier displacement of the barrier, in the domain of the grid
 /// @param panel_refinement see RenewalEquation
 /// @return an empty value if the deadline passes
 /// @pre the problem has no right wall
 std::optional<StationaryCrossings> compute_stationary_crossings(const problem::Problem& problem,
-                                                                const ChebyshevGrid& lower,
-                                                                const ChebyshevGrid& upper,
+                                                                const ChebyshevGrid& grid,
+                                                                double barrier,
                                                                 double panel_refinement,
                                                                 const base::Deadline& deadline);
 

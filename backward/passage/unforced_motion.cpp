@@ -34,11 +34,12 @@ std::array<std::complex<double>, 2> roots_of_parabola(double value, double slope
 }  // namespace
 
 UnforcedMotionSolver::UnforcedMotionSolver(const problem::System& system, double barrier,
-                                           double velocity_scale, double panel_refinement,
-                                           BarrierKind barrier_kind)
+                                           double displacement_scale, double velocity_scale,
+                                           double panel_refinement, BarrierKind barrier_kind)
     : system_(system),
       barrier_(barrier),
       barrier_kind_(barrier_kind),
+      displacement_scale_(displacement_scale),
       velocity_scale_(velocity_scale),
       panel_refinement_(panel_refinement) {
   assert(!system.left_wall() || system.left_wall()->position < barrier);
@@ -72,9 +73,13 @@ UnforcedMotionSolver::taylor_coefficients(const PhaseState& start) const {
   y[0] = start.y;
   y[1] = start.v;
   const auto product = [](const Series& a, const Series& b, std::size_t k) {
-    double sum = 0;
-    for (std::size_t m = 0; m <= k; ++m) sum += a[m] * b[k - m];
-    return sum;
+    double even = 0, odd = 0;  // two sums have shorter chains of dependent additions than one
+    std::size_t m = 0;
+    for (; m < k; m += 2) {
+      even += a[m] * b[k - m];
+      odd += a[m + 1] * b[k - m - 1];
+    }
+    return m == k ? even + odd + a[k] * b[0] : even + odd;
   };
   for (std::size_t k = 0; k + 2 <= kTaylorOrder; ++k) {
     v[k] = static_cast<double>(k + 1) * y[k + 1];
@@ -85,7 +90,8 @@ UnforcedMotionSolver::taylor_coefficients(const PhaseState& start) const {
       acceleration -= force.coefficient(n) * power[n][k];
       damping_series[k] += damping.coefficient(n) * power[n][k];
     }
-    acceleration -= product(damping_series, v, k);
+    acceleration -=
+        damping.degree() == 0 ? damping_series[0] * v[k] : product(damping_series, v, k);
     if (rayleigh != 0) {
       v_squared[k] = product(v, v, k);
       v_cubed[k] = product(v_squared, v, k);
@@ -108,15 +114,12 @@ UnforcedMotionSolver::PanelLimit UnforcedMotionSolver::find_taylor_panel_limit(
                            std::abs(system_.force_slope_in_v(start.y, start.v));
   double longest = std::min(kMaxPhase / (frequency + kTiny),
                             kMaxVelocityChange * velocity_scale_ / (std::abs(a) + kTiny));
-  if (const auto& wall = system_.left_wall()) {
-    longest = std::min(
-        longest, kMaxDisplacement * (barrier_ - wall->position) / (std::abs(start.v) + kTiny));
-  }
+  longest = std::min(longest, kMaxDisplacement * displacement_scale_ / (std::abs(start.v) + kTiny));
   longest /= panel_refinement_;
   const double refinement = std::max(1.0, panel_refinement_);
   // Backward in time only the state is used, which is a smooth function of time everywhere. Only
   // integrands contain sqrt(barrier - y).
-  if (direction < 0) return {longest, false};
+  if (direction < 0 || std::isinf(barrier_)) return {longest, false};
   // A parabola approximates barrier - y as a function of time. Its roots are approximate passages
   // of the barrier, in the past or in the future.
   constexpr double kDistanceFraction = 0.7, kTurningTimeFraction = 0.5, kSeparationRatio = 4,
@@ -222,14 +225,14 @@ double UnforcedMotionSolver::find_time_at_displacement(const TaylorPanel& panel,
 }
 
 // Appends the quadrature nodes of a panel that begins at the given time. Near the barrier the
-// integrands are smooth functions of s = sqrt(|barrier - y|), and the nodes are those of a Gauss
+// integrands are smooth functions of s = sqrt(barrier - y), and the nodes are those of a Gauss
 // rule in s.
+// @pre the panel is below the barrier
 void UnforcedMotionSolver::append_quadrature_nodes(
     const PhaseState& start, const TaylorPanel& panel, double time,
     std::vector<TrajectoryQuadratureNode>& nodes) const {
-  const double side = start.y + panel.end_state.y < 2 * barrier_ ? 1 : -1;  // below, above
-  const double s0 = std::sqrt(side * (barrier_ - start.y));
-  const double s1 = std::sqrt(side * (barrier_ - panel.end_state.y));
+  const double s0 = std::sqrt(barrier_ - start.y);
+  const double s1 = std::sqrt(barrier_ - panel.end_state.y);
   // While s changes little, a Gauss rule in time has the same accuracy.
   constexpr double kSmallChange = 1.2;
   if (!panel.is_smooth_in_square_root || std::max(s0, s1) < kSmallChange * std::min(s0, s1)) {
@@ -241,7 +244,7 @@ void UnforcedMotionSolver::append_quadrature_nodes(
   }
   for (const auto& [at, weight] : unit_gauss_points()) {
     const double s = s0 + (s1 - s0) * at;
-    const double y = barrier_ - side * s * s;
+    const double y = barrier_ - s * s;
     const double t = find_time_at_displacement(panel, y, at);
     const PhaseState state = panel.state_at(t);
     nodes.push_back({time + t, std::abs(2 * s * (s1 - s0) * weight / state.v), state});
@@ -310,6 +313,18 @@ std::vector<double> UnforcedMotionSolver::find_backward_crossing_velocities(
         velocities.push_back(panel.state_at(time).v);
       });
   return velocities;
+}
+
+std::vector<double> UnforcedMotionSolver::find_backward_turning_points(PhaseState end,
+                                                                       double max_duration,
+                                                                       double max_speed) const {
+  std::vector<double> displacements;
+  visit_taylor_panels_backward(end, max_duration, max_speed,
+                               [&](const PhaseState&, const TaylorPanel& panel) {
+                                 if (panel.end_kind == PanelEnd::turning_point)
+                                   displacements.push_back(panel.end_state.y);
+                               });
+  return displacements;
 }
 
 double UnforcedMotionSolver::find_largest_backward_speed(PhaseState end, double max_duration,

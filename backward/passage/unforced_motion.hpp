@@ -38,21 +38,25 @@ struct UnforcedTrajectory {
 /// Solver of the motion between impulses, y'' + f(y, y') + g(y) = 0 with impacts on the left wall.
 /// The solver divides the time into panels and expands y in a Taylor series in each panel. Panels
 /// end at turning points, at impacts and at the passage of the barrier. Each panel has Gauss points
-/// for integrands that are smooth functions of v and of sqrt(|barrier - y|).
+/// for integrands that are smooth functions of v and of sqrt(barrier - y).
 class UnforcedMotionSolver {
  public:
   /// @pre the force is a polynomial, system.has_polynomial_force()
-  /// @param barrier displacement of the barrier, above the left wall
+  /// @param barrier displacement of the barrier, above the left wall; infinity without a barrier
+  /// @param displacement_scale scale of the displacements; in one panel the displacement changes by
+  /// about half of this scale at most
   /// @param velocity_scale scale on which integrands vary with the velocity; in one panel the
   /// velocity changes by about this scale at most
   /// @param panel_refinement factor by which the panels are shorter than with the factor 1
   /// @param barrier_kind whether trajectories that are traced backward in time end at the barrier
-  UnforcedMotionSolver(const problem::System& system, double barrier, double velocity_scale,
-                       double panel_refinement, BarrierKind barrier_kind = BarrierKind::absorbing);
+  UnforcedMotionSolver(const problem::System& system, double barrier, double displacement_scale,
+                       double velocity_scale, double panel_refinement,
+                       BarrierKind barrier_kind = BarrierKind::absorbing);
 
   /// Computes the trajectory from a state below or above the barrier, until the trajectory reaches
   /// the barrier, for at most the duration `max_duration`. From a state at the barrier the
   /// trajectory continues until its next passage.
+  /// @pre the quadrature nodes are computed below the barrier only
   UnforcedTrajectory compute_trajectory(
       PhaseState start, double max_duration,
       TrajectoryNodeSelection content = TrajectoryNodeSelection::quadrature_nodes) const;
@@ -67,6 +71,11 @@ class UnforcedMotionSolver {
   /// Traces the trajectory that ends in the state `end` backward in time, with the limits of
   /// find_backward_crossing_velocities(). Returns the largest speed on this trajectory.
   double find_largest_backward_speed(PhaseState end, double max_duration, double max_speed) const;
+
+  /// Traces the trajectory that ends in the state `end` backward in time, with the limits of
+  /// find_backward_crossing_velocities(). Returns the displacements of its turning points.
+  std::vector<double> find_backward_turning_points(PhaseState end, double max_duration,
+                                                   double max_speed) const;
 
   double acceleration(const PhaseState& state) const { return -system_.force(state.y, state.v); }
 
@@ -104,7 +113,7 @@ class UnforcedMotionSolver {
   problem::System system_;
   double barrier_;
   BarrierKind barrier_kind_;
-  double velocity_scale_, panel_refinement_;
+  double displacement_scale_, velocity_scale_, panel_refinement_;
 };
 
 }  // namespace fpkcheck::backward

@@ -40,9 +40,10 @@ TEST(ChebyshevPlane, ReproducesPolynomialsInTheSquareRootAndInTheVelocity) {
   EXPECT_NEAR(interpolated(-2, 4), function(-0.5, 3), 1e-11);  // constant outside
 }
 
-TEST(ChebyshevPlane, ReproducesPolynomialsInTheSquareRootAboveTheBarrier) {
-  const ChebyshevGrid grid({2.5, 1.5, 3}, 4, 2);
-  const auto function = [](double y) { return std::pow(y - 1.5, 1.5) - 2 * std::sqrt(y - 1.5); };
+TEST(ChebyshevPlane, ReproducesPolynomialsInTheDisplacementWithoutABarrier) {
+  const ChebyshevGrid grid({.y_low = -1, .y_high = 2.5, .v_max = 3, .ends_at_barrier = false}, 4,
+                           2);
+  const auto function = [](double y) { return y * y * y - 2 * y; };
   Eigen::VectorXd values(4), polynomials(4);
   for (int i = 0; i < 4; ++i) values(i) = function(grid.y_node(i));
   const auto interpolated = [&](double y) {
@@ -51,7 +52,7 @@ TEST(ChebyshevPlane, ReproducesPolynomialsInTheSquareRootAboveTheBarrier) {
   };
   EXPECT_NEAR(interpolated(1.7), function(1.7), 1e-11);
   EXPECT_NEAR(interpolated(3), function(2.5), 1e-11);  // constant outside
-  EXPECT_NEAR(interpolated(1), function(1.5), 1e-11);
+  EXPECT_NEAR(interpolated(-2), function(-1), 1e-11);
 }
 
 // In a Markov chain with three states and the generator L, a basis of three functions makes the
@@ -86,21 +87,21 @@ TEST(ReducedPassageModel, IsExactForAChainWithAsManyStatesAsFunctions) {
 // With an elastic wall at the equilibrium of a linear force, y is the absolute value of the
 // oscillator without a wall, which crosses b and -b equally often.
 TEST(StationaryCrossings, ElasticWallGivesTheAbsoluteValueOfTheLinearOscillator) {
-  constexpr double kBarrier = 0.5, kNodes = 1.5;
-  const auto compute = [&](const problem::WallParameters& walls, double y_low) {
+  constexpr double kBarrier = 0.5;
+  const auto compute = [&](const problem::WallParameters& walls, double y_low, int y_node_count) {
     const problem::Problem problem = tests::with_impulses(
-        problem::System({.damping = 0.6, .stiffness = 1}, walls), tests::gaussian_impulses(1, 0.3));
-    const ChebyshevGrid lower({y_low, kBarrier, 3}, static_cast<int>(kNodes * 10), 22),
-        upper({2.6, kBarrier, 3}, static_cast<int>(kNodes * 7), 22);
-    return *compute_stationary_crossings(problem, lower, upper, 0.5,
+        problem::System({.damping = 0.2, .stiffness = 1}, walls), tests::gaussian_impulses(1, 0.1));
+    const ChebyshevGrid grid({.y_low = y_low, .y_high = 2.6, .v_max = 3, .ends_at_barrier = false},
+                             y_node_count, 22);
+    return *compute_stationary_crossings(problem, grid, kBarrier, 0.5,
                                          base::Deadline::without_time_limit());
   };
-  const StationaryCrossings with_wall = compute({.left = 0, .left_restitution = 1}, 0),
-                            without = compute({.none = true}, -2.6);
-  EXPECT_NEAR(with_wall.rates.sum(), 2 * without.rates.sum(), 1e-3 * with_wall.rates.sum());
-  EXPECT_NEAR(with_wall.probability_below, 2 * without.probability_below - 1, 1e-3);
+  const StationaryCrossings with_wall = compute({.left = 0, .left_restitution = 1}, 0, 18),
+                            without = compute({.none = true}, -2.6, 36);
+  EXPECT_NEAR(with_wall.rates.sum(), 2 * without.rates.sum(), 1e-4 * with_wall.rates.sum());
+  EXPECT_NEAR(with_wall.probability_below, 2 * without.probability_below - 1, 1e-4);
   // In the stationary process upcrossings and downcrossings alternate.
-  EXPECT_NEAR(with_wall.upcrossing_rate, with_wall.rates.sum(), 1e-3 * with_wall.rates.sum());
+  EXPECT_NEAR(with_wall.upcrossing_rate, with_wall.rates.sum(), 1e-4 * with_wall.rates.sum());
 }
 
 // Without a passage before the time limit the integral of exp(-lambda t) is 1 / lambda, from every
@@ -127,17 +128,19 @@ TEST(RenewalEquation, IntegratesTheTimeToTheNextImpulse) {
 // Values of an independent collocation along characteristics, with about seven digits
 TEST(PassageByCharacteristics, HasTheValuesOfAnIndependentComputationInCase1) {
   const FirstPassageResult passage =
-      solve_passage(tests::paper_case(1), {.accuracy = 1e-3, .max_seconds = kAmpleSeconds}, 1.5);
+      solve_passage(tests::paper_case(1), {.accuracy = 1e-4, .max_seconds = kAmpleSeconds}, 1.5);
   ASSERT_EQ(passage.status, Status::ok) << passage.reason;
   EXPECT_NEAR(passage.hazard->value, 0.00945683, 6e-9);
   EXPECT_NEAR(passage.mean_from_point->value, 114.2740, 1e-4);
   EXPECT_LT(passage.hazard->error, 1e-5 * passage.hazard->value);
   EXPECT_LT(passage.mean_from_point->error, 1e-5 * passage.mean_from_point->value);
-  EXPECT_NEAR(passage.mean_from_stationary->value, 102.1617, 2e-3);
-  EXPECT_NEAR(passage.rice_rate->value, 0.0211775, 2e-5);
-  EXPECT_LT(passage.rice_rate->error, 1e-3 * passage.rice_rate->value);
+  ASSERT_TRUE(passage.mean_from_stationary);
+  EXPECT_NEAR(passage.mean_from_stationary->value, 102.1617, 1e-3);
+  EXPECT_NEAR(passage.rice_rate->value, 0.0211775, 1e-6);
+  EXPECT_LT(passage.rice_rate->error, 1e-4 * passage.rice_rate->value);
   // P(tau > t) ~ C exp(-g t) with the independent value of C
   ASSERT_EQ(passage.times.size(), 10u);
+  ASSERT_EQ(passage.survival_from_stationary.size(), 10u);
   const auto& survival = passage.survival_from_stationary.back();
   EXPECT_NEAR(survival.value, 0.96522 * std::exp(-0.00945683 * passage.times.back()), 3e-6);
   EXPECT_LT(survival.error, 1e-5);
@@ -229,6 +232,29 @@ TEST(PassageByCharacteristics, StatesWhyItFailsWithoutTime) {
       solve_passage(tests::paper_case(1), {.max_seconds = 1e-3}, 1.5);
   EXPECT_EQ(passage.status, Status::failed);
   EXPECT_NE(passage.reason.find("time limit"), std::string::npos) << passage.reason;
+}
+
+// The motion to a distant barrier has large accelerations, and the grid would have many nodes.
+TEST(PassageByCharacteristics, ObeysTheTimeLimitForADistantBarrier) {
+  const FirstPassageResult passage = solve_passage(tests::paper_case(1), {.max_seconds = 5}, 1e4);
+  EXPECT_EQ(passage.status, Status::failed);
+  EXPECT_LT(passage.seconds, 5);
+}
+
+// At t = 0.5 the reduced model is inaccurate. Automatic times of another method do not lower the
+// status, but requested times do. With the right wall the method computes no stationary law.
+TEST(PassageByCharacteristics, OmitsInaccurateTimesThatWereNotRequested) {
+  const problem::Problem problem = tests::with_impulses(
+      problem::System({.damping = 0.3, .stiffness = 1},
+                      {.left = 0, .left_restitution = 0.8, .right = 4, .right_restitution = 0.8}),
+      tests::gaussian_impulses(1, 0.4));
+  const std::vector<double> times{0.5, 20};
+  PassageCollocationOptions options{.accuracy = 1e-3, .max_seconds = kAmpleSeconds};
+  EXPECT_EQ(solve_passage(problem, options, 1, times).status, Status::inaccurate);
+  options.omits_inaccurate_times = true;
+  const FirstPassageResult passage = solve_passage(problem, options, 1, times);
+  EXPECT_EQ(passage.status, Status::ok) << passage.reason;
+  EXPECT_EQ(passage.times, std::vector<double>{20});
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ PhaseState damped_state(double y, double v, double t) {
 
 TEST(UnforcedMotion, FollowsTheExactSolutionUntilTheExit) {
   const problem::System system({.damping = 0.2, .stiffness = 4}, {.none = true});
-  const UnforcedMotionSolver solver(system, 1, 0.3, 1);
+  const UnforcedMotionSolver solver(system, 1, 1, 0.3, 1);
   const UnforcedTrajectory found = solver.compute_trajectory({0.5, -2.5}, kLongDuration);
   ASSERT_TRUE(found.passed_barrier);
   const PhaseState at_exit = damped_state(0.5, -2.5, found.duration);
@@ -61,7 +61,7 @@ TEST(UnforcedMotion, DissipatesTheEnergyOfAllTermsOfThePolynomials) {
                                 .cubic = 0.4,
                                 .quintic = 0.5},
                                {.left = -1, .left_restitution = 0.8});
-  const UnforcedMotionSolver solver(system, 3, 0.3, 1);
+  const UnforcedMotionSolver solver(system, 3, 4, 0.3, 1);
   const PhaseState start{0.3, -0.6};  // turns before the wall
   const UnforcedTrajectory found = solver.compute_trajectory(start, 1);
   const auto energy = [&](const PhaseState& at) {
@@ -82,7 +82,7 @@ TEST(UnforcedMotion, DissipatesTheEnergyOfAllTermsOfThePolynomials) {
 TEST(UnforcedMotion, ReboundsWithTheRestitutionCoefficient) {
   const problem::System system({.damping = 0, .stiffness = 4},
                                {.left = 0, .left_restitution = 0.5});
-  const UnforcedMotionSolver solver(system, 2, 0.3, 1);
+  const UnforcedMotionSolver solver(system, 2, 2, 0.3, 1);
   const UnforcedTrajectory found = solver.compute_trajectory({0, 2}, 1.5 * std::numbers::pi + 0.25);
   EXPECT_FALSE(found.passed_barrier);
   EXPECT_NEAR(found.end_state.v, 0.25 * std::cos(0.5), 1e-10);
@@ -91,7 +91,7 @@ TEST(UnforcedMotion, ReboundsWithTheRestitutionCoefficient) {
   const problem::System falling({.damping = 0, .constant = 1, .stiffness = 1},
                                 {.left = 0, .left_restitution = 0.5});
   const UnforcedTrajectory ended =
-      UnforcedMotionSolver(falling, 2, 0.3, 1).compute_trajectory({0, 0.5}, kLongDuration);
+      UnforcedMotionSolver(falling, 2, 2, 0.3, 1).compute_trajectory({0, 0.5}, kLongDuration);
   EXPECT_EQ(ended.end_state.y, 0);
   EXPECT_LT(ended.duration, 3);
 }
@@ -99,7 +99,7 @@ TEST(UnforcedMotion, ReboundsWithTheRestitutionCoefficient) {
 TEST(UnforcedMotion, FindsTheVelocitiesOfTheGrazingMotion) {
   const problem::System system({.damping = 0.1, .stiffness = 1, .cubic = 0.3},
                                {.left = 0, .left_restitution = 0.7});
-  const UnforcedMotionSolver solver(system, 1.5, 0.3, 1);
+  const UnforcedMotionSolver solver(system, 1.5, 1.5, 0.3, 1);
   const std::vector<double> velocities =
       solver.find_backward_crossing_velocities({1.5, 0}, 0.6, kLongDuration, 100);
   ASSERT_EQ(velocities.size(), 2u);  // on the way to the barrier, and on the way to the wall
@@ -111,6 +111,18 @@ TEST(UnforcedMotion, FindsTheVelocitiesOfTheGrazingMotion) {
     EXPECT_FALSE(solver.compute_trajectory({0.6, slower}, 5).passed_barrier) << v;
   }
   EXPECT_GT(solver.find_largest_backward_speed({1.5, 0}, kLongDuration, 100), -velocities[1]);
+}
+
+// Without damping and losses the linear oscillator that grazes y = 1.5 turns there in each period.
+// With a restitution coefficient r the displacement of the preceding turning point is 1.5 / r.
+TEST(UnforcedMotion, FindsTheTurningPointsOfTheGrazingMotion) {
+  const problem::System system({.damping = 0, .stiffness = 4},
+                               {.left = 0, .left_restitution = 0.8});
+  const UnforcedMotionSolver solver(system, 1.5, 1.5, 0.3, 1, BarrierKind::permeable);
+  const std::vector<double> displacements = solver.find_backward_turning_points({1.5, 0}, 3.5, 100);
+  ASSERT_EQ(displacements.size(), 2u);
+  EXPECT_NEAR(displacements[0], 1.5 / 0.8, 1e-10);
+  EXPECT_NEAR(displacements[1], 1.5 / 0.64, 1e-10);
 }
 
 }  // namespace

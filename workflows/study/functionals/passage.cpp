@@ -175,10 +175,11 @@ FirstPassageResult rice_approximation(const FirstPassageResult& of) {
 }
 
 // Returns the passage by one method.
+// @param has_automatic_times whether the times are those of an earlier method, or empty
 FirstPassageResult solve_passage(const problem::Problem& problem,
                                  const SelectedFunctionalMethod& method,
                                  const transform::PassageBarrier& barrier,
-                                 const std::vector<double>& times,
+                                 const std::vector<double>& times, bool has_automatic_times,
                                  const std::optional<transform::PassageStartState>& start) {
   if (method.mcs) return mcs::estimate_passage(problem, *method.mcs, barrier, times, start);
   if (method.fd) {
@@ -199,7 +200,9 @@ FirstPassageResult solve_passage(const problem::Problem& problem,
             .reason = "the method supports one barrier; use fd or mcs for two barriers"};
   }
   if (method.bounds) return backward::bound_passage(problem, *method.bounds, barrier.level, start);
-  return backward::solve_passage(problem, *method.characteristics, barrier.level, times, start);
+  backward::PassageCollocationOptions collocation = *method.characteristics;
+  collocation.omits_inaccurate_times = has_automatic_times;
+  return backward::solve_passage(problem, collocation, barrier.level, times, start);
 }
 
 bool is_rice_approximation(const FirstPassageResult& passage) { return passage.id == "rice"; }
@@ -234,12 +237,14 @@ PassageStudy study_passage(const problem::Problem& problem, const PassageOptions
                            const methods::ProgressListener& listener) {
   const transform::PassageBarrier barrier = parse_barrier(options);
   std::vector<double> times = parse_survival_times(options);
+  const bool has_automatic_times = times.empty();
   const auto start = parse_start(problem, options, barrier);
   PassageStudy study{problem, options, {}};
   for_each_selected_method(
       problem, options, listener,
       [&](const SelectedFunctionalMethod& method) {
-        study.passages.push_back(solve_passage(problem, method, barrier, times, start));
+        study.passages.push_back(
+            solve_passage(problem, method, barrier, times, has_automatic_times, start));
         // Later methods use the automatic times of the first method.
         if (times.empty()) times = study.passages.back().times;
       },
