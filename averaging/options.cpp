@@ -6,7 +6,7 @@ namespace fpkcheck::averaging {
 
 using problem::DensityEquation;
 
-const base::OptionsDescription<AveragingOptions>& description() {
+const base::OptionsDescription<AveragingOptions>& solver_option_descriptions() {
   static const auto description =
       base::OptionsDescription<AveragingOptions>("averaging ")
           .add("equation", &AveragingOptions::equation,
@@ -20,7 +20,7 @@ const base::OptionsDescription<AveragingOptions>& description() {
   return description;
 }
 
-void validate(const AveragingOptions& options) { description().validate(options); }
+void validate(const AveragingOptions& options) { solver_option_descriptions().validate(options); }
 
 transform::SolutionIdentity solution_identity(const AveragingOptions& options) {
   return {.id = fmt::format("averaging-{}", problem::name(options.equation)),

@@ -19,7 +19,7 @@ struct AveragingOptions {
   double accuracy = 2e-2;
 };
 
-const base::OptionsDescription<AveragingOptions>& description();
+const base::OptionsDescription<AveragingOptions>& solver_option_descriptions();
 /// @throws InputError that states the option, its value and the allowed values
 void validate(const AveragingOptions& options);
 transform::SolutionIdentity solution_identity(const AveragingOptions& options);

@@ -4,7 +4,7 @@ namespace fpkcheck::linearisation {
 
 using problem::ImpactCondition;
 
-const base::OptionsDescription<LinearisationOptions>& description() {
+const base::OptionsDescription<LinearisationOptions>& solver_option_descriptions() {
   static const auto description =
       base::OptionsDescription<LinearisationOptions>("linearisation ")
           .add("impact", &LinearisationOptions::impact,
@@ -18,7 +18,9 @@ const base::OptionsDescription<LinearisationOptions>& description() {
   return description;
 }
 
-void validate(const LinearisationOptions& options) { description().validate(options); }
+void validate(const LinearisationOptions& options) {
+  solver_option_descriptions().validate(options);
+}
 
 transform::SolutionIdentity solution_identity(const LinearisationOptions& options) {
   const bool exact_impact = options.impact == ImpactCondition::map;

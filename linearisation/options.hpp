@@ -18,7 +18,7 @@ struct LinearisationOptions {
   double accuracy = 2e-2;
 };
 
-const base::OptionsDescription<LinearisationOptions>& description();
+const base::OptionsDescription<LinearisationOptions>& solver_option_descriptions();
 /// @throws InputError that states the option, its value and the allowed values
 void validate(const LinearisationOptions& options);
 transform::SolutionIdentity solution_identity(const LinearisationOptions& options);

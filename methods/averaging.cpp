@@ -43,7 +43,7 @@ Solver averaging_solver() {
                .in_default_runs = false};
   return registry_entry_with_solver_traits<averaging::AveragingOptions>(
       std::move(entry),
-      {.description = averaging::description(),
+      {.description = averaging::solver_option_descriptions(),
        .validate = averaging::validate,
        .identity = averaging::solution_identity,
        .options_of = averaging::options_of,

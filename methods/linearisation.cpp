@@ -34,7 +34,7 @@ Solver linearisation_solver() {
                .in_default_runs = false};
   return registry_entry_with_solver_traits<linearisation::LinearisationOptions>(
       std::move(entry),
-      {.description = linearisation::description(),
+      {.description = linearisation::solver_option_descriptions(),
        .validate = linearisation::validate,
        .identity = linearisation::solution_identity,
        .options_of = linearisation::options_of,

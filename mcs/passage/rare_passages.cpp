@@ -103,7 +103,7 @@ class SplittingReplication {
     std::vector<double> energies;
     for (double t = 0; t < time; t += plan_.simulated_time_per_round()) {
       run_round();
-      for (const TrajectoryStream& stream : simulation_.streams()) {
+      for (const TrajectoryStream& stream : simulation_.trajectory_streams()) {
         energies.push_back(energy(stream.branch));
       }
     }
@@ -241,7 +241,7 @@ class SplittingReplication {
     trajectory.crossings.add_round(
         simulation_, s, [&](double time) { trajectory.stays.on_upcrossing(time, longest_stay_); },
         [&](double time) { trajectory.stays.on_downcrossing(time); });
-    trajectory.branch = simulation_.streams()[s].branch;
+    trajectory.branch = simulation_.trajectory_streams()[s].branch;
   }
 
   SimulationPlan plan_;

@@ -77,7 +77,7 @@ std::vector<MomentSlopes> moment_slopes(const SweepPlan& plan, const methods::Me
   // coefficient in case 1 have relative errors of about 3e-4.
   constexpr double kRefinement = 0.5, kAccuracy = 0.5, kStep = 1e-4;
   if (!plan.slopes || method.identity.method != "fd" || !solution.has_density()) return {};
-  auto options = fd_fpk::description().read(method.options, "options");
+  auto options = fd_fpk::solver_option_descriptions().read(method.options, "options");
   options.refinement *= kRefinement;
   options.accuracy = kAccuracy;
   std::vector<problem::ParameterDifferenceQuotient> parameters;
