@@ -169,8 +169,9 @@ TEST(RarePassages, HaveTheRateAndTheHazardOfAnIndependentMethod) {
   SimulationPlan plan = make_simulation_plan(problem, {.seed = 5});
   plan.sampling_interval = 0.1;
   const double longest = 6 / scales.slowest_decay_rate;
-  const RarePassageRun run = simulate_rare_passages(problem, plan, 2.0, scales, longest, 3e6,
-                                                    [](const auto&) { return false; });
+  const RarePassageRun run =
+      simulate_rare_passages(problem, plan, DisplacementBarriers{.half_width = 2}, scales, longest,
+                             3e6, [](const auto&) { return false; });
   ASSERT_GE(run.replications.size(), 32u);
   EXPECT_GE(run.levels, 3u);
   EXPECT_NEAR(run.simulated_time, 3e6, 1e6);
