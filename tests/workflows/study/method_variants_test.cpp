@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "base/input_error.hpp"
 #include "methods/builtin_solvers.hpp"
