@@ -102,6 +102,13 @@ bool is_single_external_density(const SolutionAgreementOverCases& row) {
   return transform::is_external(*row.identity) && !differs_by_order_in_family(row);
 }
 
+// Returns whether a row is that of an approximate density without an order, such as statistical
+// linearisation.
+bool is_closure_without_order(const SolutionAgreementOverCases& row) {
+  return row.identity->role == SolutionRole::closure && !differs_by_order_in_family(row) &&
+         !transform::is_external(*row.identity);
+}
+
 // Returns the text of the closure orders that reproduce the reference solutions: "epc-gaussian (the
 // paper's closure) at n = 6, not at n = 2, 4, 8".
 // @param any receives whether at least one order reproduces the references
@@ -130,6 +137,10 @@ std::string reproduction_sentence(const std::vector<SolutionAgreementOverCases>&
     bool any = false;
     const std::string text = reproducing_orders_text(members, any);
     (any ? yes : no).push_back(text);
+  }
+  for (const auto& row : all) {
+    if (!is_closure_without_order(row)) continue;
+    (row.reproduced_case_count() == row.case_count() ? yes : no).push_back(row.identity->id);
   }
   if (yes.empty() && no.empty()) return "";
   const std::string within = fmt::format("Within L1 {} of the reference{}", compare::kCloseL1,
@@ -188,7 +199,10 @@ std::vector<MethodVerdictLine> verdict_lines(const RunAssessment& assessed, int 
           return entry.solution != nullptr && compare::is_solution_of_full_problem(*entry.solution);
         });
     const SolutionRole role = row.identity->role;
-    if (solves_it || (role != SolutionRole::equation && role != SolutionRole::simulation)) continue;
+    if (solves_it || (role != SolutionRole::equation && role != SolutionRole::simulation &&
+                      !is_closure_without_order(row))) {
+      continue;
+    }
     lines.push_back(verdict_line(row, reference, cases));
   }
   return lines;

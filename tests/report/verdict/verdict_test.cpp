@@ -74,6 +74,18 @@ TEST(Verdict, HasALineForEachOrderOfThePapersClosure) {
             "");  // fd-kf solves the full problem: no approximation
 }
 
+TEST(Verdict, HasALineForAClosureWithoutAnOrder) {
+  auto case_result = usual("a");
+  auto& averaged = solution_of(case_result, "epc-gaussian-n2");
+  averaged.identity.order = {};
+  averaged.identity.formulation = "";
+  averaged.identity.method = averaged.identity.family = "averaging";
+  const auto run_verdict = make_run_verdict(run_of({case_result}));
+  EXPECT_EQ(outcome_in(run_verdict, "epc-gaussian-n2"),
+            "not reproduced: L1 distance 0.03 in p(y) and 0.004 in p(y')");
+  EXPECT_TRUE(contains(run_verdict.answer.back(), "not at n = 4, 8; not epc-gaussian-n2."));
+}
+
 TEST(Verdict, ListsAnExternalDensityByItself) {
   auto case_result = usual("a");
   auto& guest = solution_of(case_result, "epc-gaussian-n2");
