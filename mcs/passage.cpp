@@ -717,6 +717,14 @@ void add_kick_interval_errors_of_passage(const transform::FirstPassageResult& do
         "twice the interval between noise kicks changes the mean time by {:.2g} %; use fd",
         100 * difference / mean.value);
   }
+  const ValueWithError& total = *passage.mean_from_stationary;
+  if (passage.status == Status::ok && total.error > kLargestRareError * total.value) {
+    passage.status = Status::inaccurate;
+    passage.reason = fmt::format(
+        "the relative error of the mean time by the interval between noise kicks is {:.2g}; "
+        "increase --time",
+        total.error / total.value);
+  }
 }
 
 }  // namespace

@@ -150,14 +150,16 @@ double EffectivePotential::integrate_force_up_to(double y) const {
   return value < kLargestPotential ? value : kLargestPotential;
 }
 
-std::optional<double> rest_displacement(const Problem& problem, double y_limit) {
+std::optional<double> rest_displacement(const Problem& problem, double y_limit,
+                                        const std::optional<double>& lower_limit) {
   const System& system = problem.system;
   const auto excitation_ends_rest = [&](double rest) {
     return problem.noise.is_acting() || !problem.impulse_factor ||
            (*problem.impulse_factor)(rest, 0) != 0;
   };
   const auto& wall = system.left_wall();
-  if (wall && system.force(wall->position, 0) >= 0) {
+  if (wall && system.force(wall->position, 0) >= 0 &&
+      (!lower_limit || wall->position > *lower_limit)) {
     return excitation_ends_rest(wall->position) ? std::optional(wall->position) : std::nullopt;
   }
   const EffectivePotential potential(system);
@@ -169,7 +171,10 @@ std::optional<double> rest_displacement(const Problem& problem, double y_limit) 
   for (const double y : potential.extremum_positions()) {
     const bool is_minimum =
         potential.potential_slope(y - beside) < 0 && potential.potential_slope(y + beside) > 0;
-    if (y >= y_limit || !is_minimum || !excitation_ends_rest(y)) continue;
+    if (y >= y_limit || (lower_limit && y <= *lower_limit) || !is_minimum ||
+        !excitation_ends_rest(y)) {
+      continue;
+    }
     if (!rest || potential(y) < potential(*rest)) rest = y;
   }
   return rest;

@@ -63,8 +63,9 @@ class EffectivePotential {
 
 /// Returns the displacement at which the mass rests without excitation: the left wall, if no force
 /// lifts the mass off the wall, otherwise the lowest minimum of the spring's potential below
-/// `y_limit`. The rest displacement is empty if the mass has no position of rest below `y_limit`,
+/// `y_limit`. With `lower_limit` only displacements above this limit count. The rest displacement is empty if the mass has no position of rest below `y_limit`,
 /// or if the excitation vanishes at the position of rest, so that the mass would stay at rest.
-std::optional<double> rest_displacement(const Problem& problem, double y_limit);
+std::optional<double> rest_displacement(const Problem& problem, double y_limit,
+                                        const std::optional<double>& lower_limit = {});
 
 }  // namespace fpkcheck::problem

@@ -14,8 +14,8 @@ std::optional<PassageStartState> passage_start_state(const problem::Problem& tra
     return PassageStartState{transformed.frame.wall_coordinate(given->y),
                              transformed.frame.physical_velocity(given->ydot)};
   }
-  const auto rest = problem::rest_displacement(transformed, barrier);
-  if (!rest || (lower_barrier && *rest <= *lower_barrier)) return std::nullopt;
+  const auto rest = problem::rest_displacement(transformed, barrier, lower_barrier);
+  if (!rest) return std::nullopt;
   return PassageStartState{*rest, 0};
 }
 

@@ -182,7 +182,7 @@ std::optional<StationaryCrossingsOnTwoGrids> solve_stationary_laws(
     double grids_to_tolerance = 1;
     if (last) {
       const auto relative_error = [](double finer, double coarser) {
-        return estimate_from_grids(finer, coarser).error / finer;
+        return estimate_from_grids(finer, coarser).error / std::abs(finer);
       };
       const double error =
           std::max(relative_error(crossings->rates.sum(), last->rates.sum()),

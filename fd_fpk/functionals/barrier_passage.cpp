@@ -1,5 +1,7 @@
 #include "fd_fpk/functionals/barrier_passage.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -103,6 +105,9 @@ std::string barrier_grid_unsupported_reason(const problem::Problem& problem,
   if (options.equation != DensityEquation::kf && options.equation != DensityEquation::white) {
     return "two barriers need the equation kf or white";
   }
+  if (options.impact != problem::ImpactCondition::map) {
+    return "two barriers need the exact impact condition";
+  }
   return problem.impulse_factor ? "two barriers do not support impulse.factor; use mcs" : "";
 }
 
@@ -134,6 +139,12 @@ PassageResultOnGrid barrier_passage_on_grid(const DisplacementPassageProblem& pa
     }
   }
   const double probability = starts.from_stationary.sum();
+  constexpr double kLargestExcess = 1e-3;  // of probabilities above 1, by interpolation
+  if (!(probability > 0 && probability <= 1 + kLargestExcess)) {
+    level.failure =
+        fmt::format("the stationary probability between the barriers is {:.3g}", probability);
+    return result;
+  }
   starts.from_stationary /= probability;
   if (const auto& start = passage.start) {
     starts.from_point = passage.waiting_rate > 0

@@ -46,6 +46,9 @@ std::string energy_passage_unsupported_reason(const problem::Problem& problem,
   if (options.equation != DensityEquation::kf && options.equation != DensityEquation::white) {
     return "an energy barrier needs the equation kf or white";
   }
+  if (options.impact != problem::ImpactCondition::map) {
+    return "an energy barrier needs the exact impact condition (--impact map)";
+  }
   if (problem.noise_factor || problem.impulse_factor) {
     return "an energy barrier does not support noise.factor and impulse.factor; use "
            "--displacement";

@@ -293,7 +293,7 @@ transform::FirstPassageResult solve_passage(const problem::Problem& problem,
   if (!has_linearised_scales(transformed))
     with_order.wall_density *= box_edge_density_factor(transformed);
   start = transform::passage_start_state(transformed, level, start, lower_level);
-  const auto rest = problem::rest_displacement(transformed, level);
+  const auto rest = problem::rest_displacement(transformed, level, lower_level);
   const bool is_at_rest = start && rest && start->y == *rest && start->ydot == 0;
   const bool has_noise =
       transformed.noise.is_acting() || options.equation == DensityEquation::white;
@@ -314,8 +314,10 @@ transform::FirstPassageResult solve_passage(const problem::Problem& problem,
     return passage;
   }
   // Without noise the mean passage time jumps, and the finite volumes are as accurate as the finite
-  // differences.
-  const bool uses_differences = lower_level || (has_noise && grid_reason.empty());
+  // differences, whose impact condition is exact.
+  const bool uses_differences =
+      lower_level ||
+      (has_noise && options.impact == problem::ImpactCondition::map && grid_reason.empty());
   const double shift = survival_resolvent_shift(scales);
   solve_passage_on_grids(
       [&](double refinement, const std::vector<double>& at) {

@@ -334,15 +334,18 @@ RarePassageRun simulate_rare_passages(
   own.streams = kSplittingStreams;
   own.threads = 1;  // the replications are simulated in parallel
   own.samples_per_round = kSamplesBetweenChecks;
+  // A batch takes at most twice the time `most_time`, since its replications are limited by it.
   const auto make_replication = [&](std::uint64_t number) {
-    return SplittingReplication(problem, own, number, barrier, potential, longest_stay, most_time);
+    return SplittingReplication(problem, own, number, barrier, potential, longest_stay,
+                                2 * most_time / kReplicationsPerBatch);
   };
   RarePassageRun run;
   SplittingReplication pilot = make_replication(0);
   const std::vector<double> levels = choose_levels(pilot, kBurnIns * plan.burn_in);
   run.simulated_time = pilot.simulated_time();
   run.levels = levels.size();
-  while (!levels.empty() && run.simulated_time < most_time) {
+  while (!levels.empty() &&
+         (run.simulated_time < most_time || run.replications.size() < kFewestReplications)) {
     std::vector<std::optional<RarePassages>> batch(kReplicationsPerBatch);
     std::vector<double> times(kReplicationsPerBatch);
     base::parallel_for(batch.size(), plan.threads, [&](std::size_t r) {

@@ -325,7 +325,7 @@ def _compute(
 def passage(
     case: Case,
     *,
-    displacement: float | None = None,
+    displacement: float | tuple[float, float] | None = None,
     energy: float | None = None,
     start: tuple[float, float] | None = None,
     times: Iterable[float] | None = None,
@@ -346,8 +346,9 @@ def passage(
     ----------
     case : str, path or Problem
         The case, as in `solve`.
-    displacement : float, optional
-        Barrier of y: the passage time is the first time at which y exceeds this value.
+    displacement : float or (float, float), optional
+        Barrier of y: the passage time is the first time at which y exceeds this value. Two values are a lower and an
+        upper barrier: the passage time is the first time at which y leaves the interval between them.
     energy : float, optional
         In place of ``displacement``: barrier of the energy y'^2/2 + U(y).
     start : (float, float), optional
@@ -379,6 +380,9 @@ def passage(
     ValueError
         If the input is invalid. The message has one line.
     """
+    if displacement is not None and not isinstance(displacement, str):
+        barriers = displacement if isinstance(displacement, Iterable) else [displacement]
+        displacement = _option([float(each) for each in barriers])
     return _compute(
         "passage", "passage", _first_passages, case, parameters,
         displacement=displacement, energy=energy, start=start, times=times, methods=methods, accuracy=accuracy,

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
+#include "averaging/impulse_transitions.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
 #include "fd_fpk/solve.hpp"
@@ -47,6 +49,17 @@ TEST(Averaging, IsExactForWhiteNoiseWithoutImpactLosses) {
       EXPECT_NEAR(moments.v2, law.moment(0, 2), kTolerance * law.moment(0, 2));
       EXPECT_NEAR(moments.v4, law.moment(0, 4), kTolerance * law.moment(0, 4));
     }
+  }
+}
+
+// Noise alone, in the equation with jumps: an asymmetric potential with two wells.
+TEST(Averaging, HasTheBandProbabilitiesOfWhiteNoise) {
+  const auto problem = tests::in_wall_coordinates(tests::with_noise(
+      System({.damping = 0.2, .constant = 0.1, .stiffness = -1, .cubic = 1}, kNoWall), 0.1));
+  const auto averaging = std::make_shared<const problem::EnergyAveraging>(problem, 300);
+  const auto probabilities = stationary_band_probabilities(problem, EnergyLevels(averaging));
+  for (std::size_t b = 0; b < probabilities.size(); ++b) {
+    EXPECT_NEAR(probabilities[b], averaging->energy_bands()[b].mass, 2e-3) << b;
   }
 }
 

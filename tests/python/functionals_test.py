@@ -183,7 +183,7 @@ class Functionals(unittest.TestCase):
             (lambda: fpk.passage("case1", displacement=1, energy=1), "give either displacement or energy"),
             (lambda: fpk.passage("case1", displacement=1, times=[-1]), "times='-1.0' (must be numbers >= 0"),
             (lambda: fpk.passage("case1", displacement=1, accuracy=-1), "accuracy = -1 (must be a positive number)"),
-            (lambda: fpk.passage("case1", displacement="high"), "displacement = 'high' (must be a finite number)"),
+            (lambda: fpk.passage("case1", displacement="high"), "displacement = 'high' (must be a barrier"),
             (lambda: fpk.spectrum("case1", of="z"), "of = 'z' (must be one of y, ydot)"),
             (lambda: fpk.spectrum("case1", frequencies=(0, 1)), "frequencies='0:1' (must be FROM:TO:N"),
             (lambda: fpk.spectrum("case1", methods="epc"), "methods: 'epc' is no method"),

@@ -128,6 +128,34 @@ TEST(PassageOfTwoBarriers, HasNoStartAtRestOutsideTheInterval) {
   EXPECT_FALSE(passage.upper_exit_from_point);
 }
 
+// The mirror images of two wells: a rest point below the lower barrier does not count.
+TEST(PassageOfTwoBarriers, StartsAtRestInTheIntervalOfEachWell) {
+  const problem::Problem p =
+      tests::with_noise(problem::System({.damping = 0.5, .stiffness = -1, .cubic = 1},
+                                        problem::WallParameters{.none = true}),
+                        0.3);
+  const FiniteVolumeOptions options{.accuracy = 0.1, .max_seconds = 200};
+  const auto left = solve_passage(p, options, {.level = -0.2, .lower_level = -1.6}, {1}),
+             right = solve_passage(p, options, {.level = 1.6, .lower_level = 0.2}, {1});
+  ASSERT_TRUE(left.mean_from_point && right.mean_from_point) << left.reason << right.reason;
+  EXPECT_NEAR(left.mean_from_point->value, right.mean_from_point->value,
+              1e-3 * left.mean_from_point->value);
+  EXPECT_NEAR(left.upper_exit_from_point->value, 1 - right.upper_exit_from_point->value, 1e-3);
+}
+
+// Finite differences have the exact impact condition alone.
+TEST(Passage, UsesTheImpactConditionOfTheMethod) {
+  const auto p = tests::make_problem({.restitution = 0.8});
+  FiniteVolumeOptions options{.equation = DensityEquation::white, .accuracy = 0.1};
+  const auto exact = solve_passage(p, options, {.level = 1}, {1});
+  options.impact = problem::ImpactCondition::delta;
+  const auto first_order = solve_passage(p, options, {.level = 1}, {1});
+  ASSERT_TRUE(exact.hazard && first_order.hazard) << first_order.reason;
+  EXPECT_GT(std::abs(first_order.hazard->value / exact.hazard->value - 1), 0.02);
+  EXPECT_EQ(solve_passage(p, options, {.level = 1, .lower_level = 0.5}, {1}).status,
+            Status::not_offered);
+}
+
 // Noise ends the rest at once. The simulation (mcs-white) gives 0.2790 +- 0.0004 for the start at
 // (0.5, 2), which moves towards the barrier, and 1.98 +- 0.07 for (0.5, -2), which first impacts
 // the wall.

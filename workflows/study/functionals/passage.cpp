@@ -228,7 +228,8 @@ const base::OptionsDescription<PassageOptions>& passage_option_descriptions() {
       "largest relative error of finite volumes, characteristics and bounds, for status ok",
       "simulated time of the stationary process (default: until the standard error of the mean is "
       "1 %, at most about 10 s of computing); splitting of the same simulated time replaces a "
-      "simulation with too few passages",
+      "simulation with too few passages of one barrier; passages from a point, and the error of the "
+      "interval between noise kicks, take further time",
       "ids of methods: fd-kf, fd-white, fd-km4, .., characteristics, bounds, mcs, mcs-white");
   return description;
 }
@@ -250,7 +251,7 @@ PassageStudy study_passage(const problem::Problem& problem, const PassageOptions
       },
       SelectableFunctionalMethods::with_characteristics);
   const auto with_rate = std::ranges::find_if(study.passages, [](const FirstPassageResult& p) {
-    return p.rice_rate && p.probability_below;
+    return p.rice_rate && p.rice_rate->value > 0 && p.probability_below;
   });
   if (with_rate != study.passages.end()) study.passages.push_back(rice_approximation(*with_rate));
   if (barrier.is_energy()) {

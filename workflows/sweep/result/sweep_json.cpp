@@ -133,8 +133,8 @@ Json sweep_plan_json(const SweepPlan& plan) {
             {"points", plan.sobol_points},
             {"marginals", plan.marginals},
             {"closure_errors", name(plan.closure_errors)},
-            {"slopes", plan.slopes},
             {"methods", Json::array()}};
+  if (plan.slopes) json["slopes"] = true;
   for (const auto& axis : plan.axes) json["vary"].push_back(axis_json(axis));
   for (const auto& method : plan.methods) {
     json["methods"].push_back({{"id", method.id()},
