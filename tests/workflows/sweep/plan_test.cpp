@@ -168,7 +168,7 @@ TEST(PlanJson, ReportsTheFirstDifference) {
     return difference(plan, other);
   };
   EXPECT_EQ(with([](SweepPlan& p) { p.marginals = true; }), "/marginals: false then, true now");
-  EXPECT_EQ(with([](SweepPlan& p) { p.slopes = true; }), "/slopes: false then, true now");
+  EXPECT_EQ(with([](SweepPlan& p) { p.slopes = true; }), "/slopes: nothing then, true now");
   EXPECT_EQ(with([](SweepPlan& p) { p.closure_errors = ClosureErrorSource::residuals; }),
             "/closure_errors: \"reference\" then, \"residuals\" now");
   EXPECT_TRUE(
