@@ -17,16 +17,16 @@ namespace {
 using transform::Status;
 
 transform::SmoothDensity smooth_density(const GaussianDensity& gaussian, bool has_wall) {
-  constexpr double kDeviations = 8;  // the density is there exp(-32) of its peak
+  constexpr double kDomainDeviations = 8;  // the density is there exp(-32) of its peak
   const auto [mean, s_y, s_v] = gaussian;
   const double peak = (has_wall ? 2 : 1) / (2 * std::numbers::pi * s_y * s_v);
   return {.value =
               [=](double y, double v) {
                 return peak * std::exp(-(std::pow((y - mean) / s_y, 2) + std::pow(v / s_v, 2)) / 2);
               },
-          .y_max = mean + kDeviations * s_y,
-          .v_max = kDeviations * s_v,
-          .y_min = has_wall ? 0 : mean - kDeviations * s_y};
+          .y_max = mean + kDomainDeviations * s_y,
+          .v_max = kDomainDeviations * s_v,
+          .y_min = has_wall ? 0 : mean - kDomainDeviations * s_y};
 }
 
 }  // namespace
