@@ -18,7 +18,8 @@ using transform::Status;
 
 transform::SmoothDensity smooth_density(const GaussianDensity& gaussian, bool has_wall) {
   constexpr double kDomainDeviations = 8;  // the density is there exp(-32) of its peak
-  const auto [mean, s_y, s_v] = gaussian;
+  const double mean = gaussian.mean_displacement, s_y = gaussian.displacement_deviation,
+               s_v = gaussian.velocity_deviation;
   const double peak = (has_wall ? 2 : 1) / (2 * std::numbers::pi * s_y * s_v);
   return {.value =
               [=](double y, double v) {
