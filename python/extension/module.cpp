@@ -338,7 +338,7 @@ void bind_functional(py::module_& module, const char* name,
         }
         Options options;
         for (const auto& [option, value] : values_from_python(given)) {
-          description.assign(options, *description.find(option), value, option + " =");
+          description.assign_option_value(options, *description.find(option), value, option + " =");
         }
         description.validate(options);
         const py::gil_scoped_release unlocked;
