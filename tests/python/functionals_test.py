@@ -177,13 +177,24 @@ class Functionals(unittest.TestCase):
         self.assertTrue(np.isnan(results["fd-kf"].l1["y"]).all())
         self.assertGreater(results["mcs"].moment_errors["y2"][1], 0)
 
+    def test_passage_of_two_barriers_has_the_exact_values(self):
+        # Random acceleration process: Masoliver and Porra 1995; Bicout and Burkhardt 2000
+        wall = {"left": -1, "left_restitution": 0.5, "right": 2, "right_restitution": 0.5}
+        problem = fpk.Problem({"system": {"damping": 0, "stiffness": 0}, "noise": {"intensity": 1}, "wall": wall})
+        found = fpk.passage(
+            problem, displacement=(0, 1), start=(0.25, 0), methods="fd-white", times=[1], max_seconds=100
+        )["fd-white"]
+        self.assertEqual(found.status, "ok")
+        self.assertAlmostEqual(found.values["mean_from_start"], 1.358260, delta=1e-3)
+        self.assertAlmostEqual(found.values["upper_exit_probability_from_start"], 0.425818, delta=1e-3)
+
     def test_invalid_input_is_refused_in_words_of_python(self):
         for call, expected in (
             (lambda: fpk.passage("case1"), "no barrier; give one, e.g. displacement=1.5 or energy=1"),
             (lambda: fpk.passage("case1", displacement=1, energy=1), "give either displacement or energy"),
             (lambda: fpk.passage("case1", displacement=1, times=[-1]), "times='-1.0' (must be numbers >= 0"),
             (lambda: fpk.passage("case1", displacement=1, accuracy=-1), "accuracy = -1 (must be a positive number)"),
-            (lambda: fpk.passage("case1", displacement="high"), "displacement = 'high' (must be a barrier"),
+            (lambda: fpk.passage("case1", displacement="high"), "displacement='high' (must be a barrier B"),
             (lambda: fpk.spectrum("case1", of="z"), "of = 'z' (must be one of y, ydot)"),
             (lambda: fpk.spectrum("case1", frequencies=(0, 1)), "frequencies='0:1' (must be FROM:TO:N"),
             (lambda: fpk.spectrum("case1", methods="epc"), "methods: 'epc' is no method"),
