@@ -22,7 +22,7 @@ EnergyLevels::EnergyLevels(std::shared_ptr<const problem::EnergyAveraging> avera
 // x = slope dh / 2. The area of the band in the phase plane is T dh.
 double EnergyLevels::density_of_band_with_unit_probability(std::size_t band) const {
   const auto& orbit = energy_bands()[band].orbit;
-  const double x = orbit.diffusion > 0 ? orbit.loss / orbit.diffusion * width_ / 2 : 0;
+  const double x = problem::energy_exponent_slope(orbit) * width_ / 2;
   return (x == 0 ? 1 : x / std::sinh(x)) / (orbit.period * width_);
 }
 

@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
+#include "averaging/band_probabilities.hpp"
 #include "averaging/energy_density.hpp"
-#include "averaging/impulse_transitions.hpp"
 #include "base/process/stopwatch.hpp"
 #include "problem/energy_averaging.hpp"
 #include "problem/problem_features.hpp"
@@ -36,8 +36,8 @@ transform::Solution solve_averaged_equation(const problem::Problem& problem,
   validate(options);
   const base::Stopwatch stopwatch;
   transform::Solution solution{.identity = solution_identity(options)};
-  // With this number of bands the power balance of case 1 has the residual 7e-4. The residual is of
-  // the second order in the width of the bands.
+  // With this number of bands the relative residual of the power balance of case 1 is 1.1e-3; with
+  // 1400 bands it is 1.4e-4, but the time is 8 times as long.
   constexpr int kBandCount = 600;
   const EnergyLevels levels(std::make_shared<const problem::EnergyAveraging>(problem, kBandCount));
   const auto probabilities = band_probabilities(problem, levels, options.equation);
@@ -47,7 +47,7 @@ transform::Solution solve_averaged_equation(const problem::Problem& problem,
   if (!std::isfinite(smallest) || smallest < -kRounding) {
     solution.status = Status::inadmissible;
     solution.reason =
-        fmt::format("the averaged equation has the probability {:.1e} of an energy band", smallest);
+        fmt::format("the averaged equation gives an energy band the probability {:.1e}", smallest);
   } else {
     transform::SmoothDensity density = joint_density(levels, probabilities);
     const double mass =

@@ -3,39 +3,34 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "numerics/linear_algebra/factorisations.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
 #include "numerics/roots/newton.hpp"
+#include "numerics/statistics.hpp"
 #include "problem/balances.hpp"
 
 namespace fpkcheck::linearisation {
 namespace {
 
-// The Gaussian density is integrated up to kDeviations standard deviations, where it is exp(-32) of
-// its peak, on panels of half a standard deviation with kPoints points.
-constexpr double kDeviations = 8;
+// Number of panels of half a standard deviation between -kDomainDeviations and kDomainDeviations,
+// and number of Gauss points of a panel
 constexpr int kPanelCount = 32;
 constexpr unsigned kPoints = 6;
-
-double normal_density(double u) {
-  return std::exp(-u * u / 2) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
-}
 
 // Returns a quadrature rule for the mean over a normal variable between `low` and `high`. Panels
 // end at the kinks, so that the rule is accurate for piecewise smooth functions.
 numerics::QuadratureRule normal_rule(double mean, double deviation, double low,
                                      std::vector<double> kinks) {
-  const double high = mean + kDeviations * deviation;
+  const double high = mean + kDomainDeviations * deviation;
   for (int k = 0; k <= kPanelCount; ++k) {
     kinks.push_back(std::lerp(low, high, static_cast<double>(k) / kPanelCount));
   }
   std::ranges::sort(kinks);
   auto rule = numerics::composite_gauss_rule<kPoints>(kinks);
   for (Eigen::Index i = 0; i < rule.size(); ++i) {
-    rule.weights[i] *= normal_density((rule.points[i] - mean) / deviation) / deviation;
+    rule.weights[i] *= numerics::normal_density((rule.points[i] - mean) / deviation) / deviation;
   }
   return rule;
 }
@@ -70,10 +65,10 @@ Eigen::VectorXd MomentEquations::residuals_at(const Eigen::VectorXd& unknowns) c
   const GaussianDensity density = density_of(unknowns);
   const double mean = density.mean_displacement, s_y = density.displacement_deviation,
                s_v = density.velocity_deviation;
-  const double low = has_wall_ ? 0 : mean - kDeviations * s_y;
-  const double v_limit = kDeviations * s_v;
-  auto rule_y =
-      normal_rule(mean, s_y, low, coefficient_kinks_in_y(problem_, low, mean + kDeviations * s_y));
+  const double low = has_wall_ ? 0 : mean - kDomainDeviations * s_y;
+  const double v_limit = kDomainDeviations * s_v;
+  auto rule_y = normal_rule(mean, s_y, low,
+                            coefficient_kinks_in_y(problem_, low, mean + kDomainDeviations * s_y));
   if (has_wall_) rule_y.weights *= 2;  // the density of |z|
   const auto rule_v =
       normal_rule(0, s_v, -v_limit, coefficient_kinks_in_v(problem_, -v_limit, v_limit));
@@ -96,11 +91,11 @@ Eigen::VectorXd MomentEquations::residuals_at(const Eigen::VectorXd& unknowns) c
   }
   if (has_wall_) {
     const problem::Wall& wall = *problem_.system.left_wall();
-    const double wall_density = 2 * normal_density(0) / s_y;
+    const double wall_density = 2 * numerics::normal_density(0) / s_y;
     power -= wall_density * numerics::integrate_by_composite_gauss(
                                 [&](double u) {
                                   return u * energy_loss_at_impact(wall, impact_, u) *
-                                         normal_density(u / s_v) / s_v;
+                                         numerics::normal_density(u / s_v) / s_v;
                                 },
                                 0, v_limit, kPanelCount);
   }

@@ -20,6 +20,10 @@ struct GaussianDensity {
   double velocity_deviation;
 };
 
+/// Half-width of the domain of a GaussianDensity in standard deviations. The density at the edge of
+/// the domain is exp(-32) of its peak.
+inline constexpr double kDomainDeviations = 8;
+
 /// The stationary moment equations of the oscillator for E[v], E[y v] and E[v^2] under a
 /// GaussianDensity, as functions of the logarithms of its deviations and of its mean:
 ///

@@ -17,7 +17,6 @@ namespace {
 using transform::Status;
 
 transform::SmoothDensity smooth_density(const GaussianDensity& gaussian, bool has_wall) {
-  constexpr double kDomainDeviations = 8;  // the density is there exp(-32) of its peak
   const double mean = gaussian.mean_displacement, s_y = gaussian.displacement_deviation,
                s_v = gaussian.velocity_deviation;
   const double peak = (has_wall ? 2 : 1) / (2 * std::numbers::pi * s_y * s_v);
@@ -72,7 +71,7 @@ transform::Solution solve_moment_equations(const problem::Problem& problem,
 
 std::string unsupported_reason(const problem::Problem& problem, const LinearisationOptions&) {
   if (!problem.system.right_wall()) return "";
-  return "between two walls no linear oscillator has the density; use averaging, fd or mcs";
+  return "a Gaussian density cannot represent two walls; use averaging, fd or mcs";
 }
 
 }  // namespace fpkcheck::linearisation

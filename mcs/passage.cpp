@@ -721,8 +721,8 @@ void add_kick_interval_errors_of_passage(const transform::FirstPassageResult& do
   if (passage.status == Status::ok && total.error > kLargestRareError * total.value) {
     passage.status = Status::inaccurate;
     passage.reason = fmt::format(
-        "the relative error of the mean time by the interval between noise kicks is {:.2g}; "
-        "increase --time",
+        "the relative error of the mean time, with the error by the interval between noise kicks, is "
+        "{:.2g}; increase --time",
         total.error / total.value);
   }
 }

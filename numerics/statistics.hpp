@@ -13,6 +13,11 @@ namespace fpkcheck::numerics {
 /// confidence interval in standard errors.
 inline constexpr double kNormal95 = 1.959964;
 
+/// Returns the density of the standard normal law.
+inline double normal_density(double x) {
+  return std::exp(-x * x / 2) * std::numbers::inv_sqrtpi / std::numbers::sqrt2;
+}
+
 /// Returns the probability that a standard normal variable is at most x.
 inline double normal_probability(double x) { return std::erfc(-x / std::numbers::sqrt2) / 2; }
 

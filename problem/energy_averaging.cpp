@@ -28,10 +28,6 @@ EnergyAveraging::EnergyAveraging(const Problem& problem, int band_count) : orbit
     reason_for_unconfined_motion_ = "the potential of the force has no resolved levels";
 }
 
-double EnergyAveraging::energy_exponent_slope(const OrbitIntegrals& orbit) const {
-  return orbit.diffusion > 0 ? orbit.loss / orbit.diffusion : 0;
-}
-
 // Integrates the slope dPhi/dh, where exp(-Phi(h)) approximates the density of the energy h, from
 // the lowest potential upwards in growing steps.
 bool EnergyAveraging::find_energy_range(double& low, double& high) {

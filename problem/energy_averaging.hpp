@@ -11,6 +11,12 @@
 
 namespace fpkcheck::problem {
 
+/// Returns the slope dPhi/dh of the exponent in the averaged density exp(-Phi(h)) of the energy h,
+/// from the energy loss and the diffusion of one orbit; 0 without diffusion.
+inline double energy_exponent_slope(const OrbitIntegrals& orbit) {
+  return orbit.diffusion > 0 ? orbit.loss / orbit.diffusion : 0;
+}
+
 /// Energy averaging of damping and excitation over the undamped orbits (Stratonovich). For several
 /// potential wells the energy averaging uses the tree of orbits of Freidlin and Wentzell. With the
 /// energy h = v^2/2 + V(y) and the effective potential V = U - lambda E[Y] y, the stationary density
@@ -65,8 +71,6 @@ class EnergyAveraging {
   double relaxation_rate() const;
 
  private:
-  /// Returns the slope dPhi/dh at the energy of an orbit, from the integrals over the orbit.
-  double energy_exponent_slope(const OrbitIntegrals& orbit) const;
   /// Finds the interval of energies h in which the exponent Phi(h) of the density exp(-Phi(h))
   /// exceeds the minimum of Phi by at most kDepth.
   /// @return false if the motion is not confined

@@ -6,6 +6,7 @@
 
 #include "backward/passage/mean_time_certificate.hpp"
 #include "base/process/parallel_for.hpp"
+#include "numerics/statistics.hpp"
 
 // Proof of the bounds of the mean passage time, docs/functionals.md, section "Guaranteed bounds of
 // the mean time". The names V, K, L, a, q, eta, W are those of the proof.
@@ -276,7 +277,6 @@ struct SpeedBoundsOnRectangle {
   }
 };
 
-double normal_density(double x) { return 0.3989422804014327 * std::exp(-x * x / 2); }
 double normal_tail(double x) { return std::erfc(x / std::sqrt(2.0)) / 2; }
 
 // Values on a uniform grid of velocities.
@@ -297,7 +297,8 @@ struct AmplitudeDensityBounds {
   AmplitudeDensityBounds(double amplitude_low, double amplitude_high, double deviation) {
     const double nearest = std::max({0.0, amplitude_low, -amplitude_high}) / deviation;
     const double farthest = std::max(std::abs(amplitude_low), std::abs(amplitude_high)) / deviation;
-    const double at_nearest = normal_density(nearest), at_farthest = normal_density(farthest);
+    const double at_nearest = numerics::normal_density(nearest),
+                 at_farthest = numerics::normal_density(farthest);
     value = at_nearest / deviation;
     // x phi(x) has its maximum at x = 1, and (x^2 - 1) phi(x) at sqrt(3).
     slope = nearest <= 1 && farthest >= 1 ? 0.24197072451914337
@@ -510,7 +511,7 @@ void CertificateVerification::compute_mean_on_line(double s, Line& line) const {
       const double x = (velocities_.at(nearest) - v) / deviation;
       const double quotient = std::exp(-h * h);
       for (const int direction : {1, -1}) {
-        double density = normal_density(x) * weight;
+        double density = numerics::normal_density(x) * weight;
         double ratio = std::exp(-h * (direction * x + h / 2));
         for (int j = nearest; j >= 0 && j < velocities_.count &&
                               std::abs(velocities_.at(j) - v) < kReach * deviation;

@@ -83,6 +83,11 @@ double BarrierGrid::eta_of(double v) const {
 
 double BarrierGrid::column_position(int k) const { return std::clamp((k + 0.5) / n_s_, 0.0, 1.0); }
 
+int BarrierGrid::reflected_velocity_node(int j) const {
+  if (j < 0) return -1 - j;
+  return j >= n_eta_ ? 2 * n_eta_ - 1 - j : j;
+}
+
 // Adds the value at an eta in column i. The nodes -1, -2, .. and velocity_count(), .. are
 // reflections about eta = -1 and eta = 1.
 void BarrierGrid::add_value_in_column(int i, double eta, double weight, int first, int last,
@@ -94,10 +99,8 @@ void BarrierGrid::add_value_in_column(int i, double eta, double weight, int firs
   for (int k = begin; k < begin + kInterpolated; ++k) positions.push_back(k);
   const std::vector<double> weights = numerics::lagrange_weights(positions, position);
   for (int k = 0; k < kInterpolated; ++k) {
-    int node = begin + k;
-    if (node < 0) node = -1 - node;
-    if (node >= n_eta_) node = 2 * n_eta_ - 1 - node;
-    entries.emplace_back(index(i, node), weight * weights[k]);
+    entries.emplace_back(grid_node_index(i, reflected_velocity_node(begin + k)),
+                         weight * weights[k]);
   }
 }
 
@@ -134,7 +137,7 @@ double BarrierGrid::add_displacement_terms(int i, int j, Entries& entries) const
     if (k == n_s_) {
       of_upper_end = weight;
     } else if (k >= 0) {
-      entries.emplace_back(index(k, j), weight);
+      entries.emplace_back(grid_node_index(k, j), weight);
     } else if (strip_.lower_end != PassageStrip::LowerEnd::barrier) {
       add_value_at_lower_end(v, weight, entries);
     }
@@ -151,10 +154,8 @@ void BarrierGrid::add_velocity_terms(int i, int j, Entries& entries) const {
   const auto add = [&](int first, int last, int order, double rate) {
     const std::vector<double> weights = equidistant_derivative_weights(first, last, order);
     for (int k = first; k <= last; ++k) {
-      int node = j + k;
-      if (node < 0) node = -1 - node;
-      if (node >= n_eta_) node = 2 * n_eta_ - 1 - node;
-      entries.emplace_back(index(i, node), rate * weights[k - first] / std::pow(eta_step(), order));
+      entries.emplace_back(grid_node_index(i, reflected_velocity_node(j + k)),
+                           rate * weights[k - first] / std::pow(eta_step(), order));
     }
   };
   // T_vv = (T_ee - v'' T_e / v') / v'^2 with e = eta
@@ -203,13 +204,14 @@ BarrierGrid::BackwardSystem BarrierGrid::backward_system() const {
   Entries entries;
   for (int i = 0; i < n_s_; ++i) {
     for (int j = 0; j < n_eta_; ++j) {
-      const int row = index(i, j);
+      const int row = grid_node_index(i, j);
       entries.clear();
       system.upper_exit_terms(row) = add_displacement_terms(i, j, entries);
       add_velocity_terms(i, j, entries);
       for (const auto& [node, weight] : entries) triplets.emplace_back(row, node, weight);
       for (int k = 0; k < n_eta_; ++k) {
-        if (of_impulses(j, k) != 0) triplets.emplace_back(row, index(i, k), of_impulses(j, k));
+        if (of_impulses(j, k) != 0)
+          triplets.emplace_back(row, grid_node_index(i, k), of_impulses(j, k));
       }
     }
   }
@@ -221,7 +223,7 @@ Eigen::VectorXd BarrierGrid::integration_weights() const {
   Eigen::VectorXd weights(size());
   for (int i = 0; i < n_s_; ++i) {
     const double of_y = displacement_slope(column_position(i)) / n_s_;
-    for (int j = 0; j < n_eta_; ++j) weights(index(i, j)) = of_y * velocity_weight(j);
+    for (int j = 0; j < n_eta_; ++j) weights(grid_node_index(i, j)) = of_y * velocity_weight(j);
   }
   return weights;
 }

@@ -44,7 +44,7 @@ class BarrierGrid {
   int velocity_count() const { return n_eta_; }
   int size() const { return n_s_ * n_eta_; }
   /// Returns the index of node (i, j) in vectors.
-  int index(int i, int j) const { return i * n_eta_ + j; }
+  int grid_node_index(int i, int j) const { return i * n_eta_ + j; }
   double displacement(int i) const { return displacement_at(column_position(i)); }
   double velocity(int j) const { return velocity_at(eta(j)); }
   /// Returns the weight of node j in integrals over v.
@@ -85,6 +85,8 @@ class BarrierGrid {
   double eta_step() const { return 2.0 / n_eta_; }
   // Position of column k in s. The columns -1 and displacement_count() are the ends.
   double column_position(int k) const;
+  // Node of the reflection of node j about eta = -1 or eta = 1; j for a node of the grid
+  int reflected_velocity_node(int j) const;
   void add_value_in_column(int i, double eta, double weight, int first, int last,
                            Entries& entries) const;
   void add_value_at_lower_end(double v, double weight, Entries& entries) const;

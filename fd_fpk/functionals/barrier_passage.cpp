@@ -106,7 +106,7 @@ std::string barrier_grid_unsupported_reason(const problem::Problem& problem,
     return "two barriers need the equation kf or white";
   }
   if (options.impact != problem::ImpactCondition::map) {
-    return "two barriers need the exact impact condition";
+    return "two barriers need the exact impact condition; use a method without -delta";
   }
   return problem.impulse_factor ? "two barriers do not support impulse.factor; use mcs" : "";
 }
@@ -135,14 +135,16 @@ PassageResultOnGrid barrier_passage_on_grid(const DisplacementPassageProblem& pa
                                   .waiting_rate = passage.waiting_rate};
   for (int i = 0; i < level.nx; ++i) {
     for (int j = 0; j < level.nv; ++j) {
-      starts.from_stationary(grid.index(i, j)) *= density(grid.displacement(i), grid.velocity(j));
+      starts.from_stationary(grid.grid_node_index(i, j)) *=
+          density(grid.displacement(i), grid.velocity(j));
     }
   }
   const double probability = starts.from_stationary.sum();
-  constexpr double kLargestExcess = 1e-3;  // of probabilities above 1, by interpolation
+  constexpr double kLargestExcess = 1e-3;  // of probabilities above 1, due to interpolation
   if (!(probability > 0 && probability <= 1 + kLargestExcess)) {
-    level.failure =
-        fmt::format("the stationary probability between the barriers is {:.3g}", probability);
+    level.failure = fmt::format(
+        "the computed stationary probability of the states before the passage is {:.3g}",
+        probability);
     return result;
   }
   starts.from_stationary /= probability;

@@ -47,7 +47,7 @@ std::string energy_passage_unsupported_reason(const problem::Problem& problem,
     return "an energy barrier needs the equation kf or white";
   }
   if (options.impact != problem::ImpactCondition::map) {
-    return "an energy barrier needs the exact impact condition (--impact map)";
+    return "an energy barrier needs the exact impact condition; use a method without -delta";
   }
   if (problem.noise_factor || problem.impulse_factor) {
     return "an energy barrier does not support noise.factor and impulse.factor; use "

@@ -334,7 +334,8 @@ RarePassageRun simulate_rare_passages(
   own.streams = kSplittingStreams;
   own.threads = 1;  // the replications are simulated in parallel
   own.samples_per_round = kSamplesBetweenChecks;
-  // A batch takes at most twice the time `most_time`, since its replications are limited by it.
+  // Each replication of a batch has a limit of its own, so that a batch takes at most twice the time
+  // `most_time`.
   const auto make_replication = [&](std::uint64_t number) {
     return SplittingReplication(problem, own, number, barrier, potential, longest_stay,
                                 2 * most_time / kReplicationsPerBatch);

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "averaging/impulse_transitions.hpp"
+#include "averaging/band_probabilities.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
 #include "fd_fpk/solve.hpp"

@@ -128,7 +128,7 @@ Eigen::VectorXd values_on_nodes(const BarrierGrid& grid,
   Eigen::VectorXd values(grid.size());
   for (int i = 0; i < grid.displacement_count(); ++i) {
     for (int j = 0; j < grid.velocity_count(); ++j) {
-      values(grid.index(i, j)) = f(grid.displacement(i), grid.velocity(j));
+      values(grid.grid_node_index(i, j)) = f(grid.displacement(i), grid.velocity(j));
     }
   }
   return values;
@@ -163,7 +163,7 @@ TEST(BarrierGrid, HasTheBackwardOperatorOfSmoothFunctions) {
       for (int j = 0; j < grid.velocity_count(); ++j) {
         const double v = grid.velocity(j), force = problem.system.force(y, v);
         if (std::abs(v) > 1.5) continue;  // impulses from larger speeds leave the grid
-        const int node = grid.index(i, j);
+        const int node = grid.grid_node_index(i, j);
         EXPECT_NEAR(of_y(node), v, 1e-3);
         const double drift = rate * law.mean() - force;
         EXPECT_NEAR(of_v(node), drift, 1e-4);

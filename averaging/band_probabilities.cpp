@@ -1,10 +1,9 @@
-#include "averaging/impulse_transitions.hpp"
+#include "averaging/band_probabilities.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "numerics/linear_algebra/factorisations.hpp"
@@ -60,7 +59,7 @@ std::pair<problem::HalfCycle, double> orbit_in_band(const problem::UndampedOrbit
 // points of the band, with weights exp(-slope (h - centre)) as in the density of white noise.
 std::vector<OrbitPoint> band_points(const EnergyLevels& levels, const EnergyBand& band) {
   const double distance = levels.energy_width_of_band() / (2 * std::numbers::sqrt3);
-  const double slope = band.orbit.diffusion > 0 ? band.orbit.loss / band.orbit.diffusion : 0;
+  const double slope = problem::energy_exponent_slope(band.orbit);
   std::vector<OrbitPoint> points;
   double total = 0;
   for (const double shift : {-distance, distance}) {
@@ -142,33 +141,13 @@ double noise_diffusion_per_period(const problem::Problem& problem, const EnergyL
   return band.orbit.period * mean;
 }
 
-// Returns an integral over the orbit, at the energy between a band and its parent. If the orbit of
-// the parent separates into several orbits, each orbit has a share of the parent's integral in
-// proportion to its own integral.
-template <class OrbitIntegral>
-double value_between_bands(const std::vector<EnergyBand>& bands, std::size_t child,
-                           const OrbitIntegral& integral) {
-  const std::size_t parent = bands[child].parent;
-  double sum_of_children = 0;
-  int children = 0;
-  for (std::size_t b = 0; b < parent; ++b) {
-    if (bands[b].parent != parent) continue;
-    sum_of_children += integral(b);
-    ++children;
+// Returns the bands below each band in the tree of orbits.
+std::vector<std::vector<std::size_t>> children_of_bands(const std::vector<EnergyBand>& bands) {
+  std::vector<std::vector<std::size_t>> children(bands.size());
+  for (std::size_t b = 0; b < bands.size(); ++b) {
+    if (bands[b].parent != b) children[bands[b].parent].push_back(b);
   }
-  if (children > 1 && sum_of_children == 0) return 0;
-  const double share = children == 1 ? 1 : integral(child) / sum_of_children;
-  return (integral(child) + share * integral(parent)) / 2;
-}
-
-std::optional<std::size_t> only_child(const std::vector<EnergyBand>& bands, std::size_t parent) {
-  std::optional<std::size_t> child;
-  for (std::size_t b = 0; b < parent; ++b) {
-    if (bands[b].parent != parent) continue;
-    if (child) return std::nullopt;
-    child = b;
-  }
-  return child;
+  return children;
 }
 
 }  // namespace
@@ -186,21 +165,30 @@ std::vector<double> stationary_band_probabilities(const problem::Problem& proble
   // The values of rho between two bands follow from rho exp(slope h), which is constant in energy
   // if the excitation is white noise of the same intensity: by linear extrapolation from the two
   // bands from which the energy loss transports probability, and by differences for the noise.
-  const auto loss = [&](std::size_t band) { return bands[band].orbit.loss; };
-  const auto total_diffusion = [&](std::size_t band) { return bands[band].orbit.diffusion; };
-  std::vector<double> noise_diffusion;
+  const double width = levels.energy_width_of_band();
+  const auto children = children_of_bands(bands);
+  std::vector<double> loss, total_diffusion, noise_diffusion;  // integrals over the orbits
   for (const EnergyBand& band : bands) {
+    loss.push_back(band.orbit.loss);
+    total_diffusion.push_back(band.orbit.diffusion);
     noise_diffusion.push_back(noise_diffusion_per_period(problem, levels, band));
   }
-  const auto noise = [&](std::size_t band) { return noise_diffusion[band]; };
-  const double width = levels.energy_width_of_band();
   for (std::size_t child = 0; child < bands.size(); ++child) {
     const std::size_t parent = bands[child].parent;
     if (parent == child) continue;
+    // Returns an integral over the orbit at the energy between the band and its parent. If the
+    // orbit of the parent separates into several orbits, each orbit has a share of the parent's
+    // integral in proportion to its own integral.
+    const auto at_edge = [&](const std::vector<double>& integral) {
+      double sum = 0;
+      for (const std::size_t sibling : children[parent]) sum += integral[sibling];
+      if (children[parent].size() > 1 && sum == 0) return 0.0;
+      const double share = children[parent].size() == 1 ? 1 : integral[child] / sum;
+      return (integral[child] + share * integral[parent]) / 2;
+    };
     const double edge = (bands[child].energy + bands[parent].energy) / 2;
-    const double loss_at_edge = value_between_bands(bands, child, loss);
-    const double noise_at_edge = value_between_bands(bands, child, noise);
-    const double slope = loss_at_edge / value_between_bands(bands, child, total_diffusion);
+    const double loss_at_edge = at_edge(loss), noise_at_edge = at_edge(noise_diffusion);
+    const double slope = loss_at_edge / at_edge(total_diffusion);
     const auto add_flux = [&](std::size_t band, double coefficient) {
       const double flux = coefficient * levels.density_of_band_with_unit_probability(band) *
                           std::exp(slope * (bands[band].energy - edge));
@@ -208,8 +196,9 @@ std::vector<double> stationary_band_probabilities(const problem::Problem& proble
       generator(static_cast<Index>(parent), static_cast<Index>(band)) -= flux;
     };
     const std::size_t source = loss_at_edge > 0 ? parent : child;
-    const std::size_t beyond =
-        loss_at_edge > 0 ? bands[parent].parent : only_child(bands, child).value_or(child);
+    const std::size_t beyond = loss_at_edge > 0              ? bands[parent].parent
+                               : children[child].size() == 1 ? children[child].front()
+                                                             : child;
     add_flux(source, beyond == source ? loss_at_edge : 1.5 * loss_at_edge);
     if (beyond != source) add_flux(beyond, -loss_at_edge / 2);
     add_flux(child, noise_at_edge * (-1 / width - slope / 2));

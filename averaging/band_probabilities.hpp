@@ -14,8 +14,9 @@ namespace fpkcheck::averaging {
 ///     d/dh [W/T q] + d/dh [<D G v^2> T d/dh (q / T)] + lambda (mean jumps into h - q) = 0,
 ///
 /// where an impulse Y at a point (y, v) of the orbit changes the energy to (v + b Y)^2/2 + V(y).
-/// The derivatives are central differences between neighbouring bands; the probabilities of jumps
-/// are exact for each of the orbit's points.
+/// Between two bands q/T is extrapolated from the side from which the energy loss transports
+/// probability, and its derivative is a central difference. The probabilities of jumps are exact
+/// for each point of an orbit.
 ///
 /// At an energy where one orbit separates into the orbits of several wells, the energy loss leads
 /// into each well in proportion to the energy loss in this well.
