@@ -1,8 +1,8 @@
 # Installed files (docs/installing.md) in two components: `program`, and `development` with the libraries.
 include(CMakePackageConfigHelpers)
 
-get_property(rooms GLOBAL PROPERTY FPKCHECK_ROOMS)
-list(TRANSFORM rooms PREPEND fpkcheck_ OUTPUT_VARIABLE libraries)
+get_property(libraries GLOBAL PROPERTY FPKCHECK_LIBRARIES)
+get_property(folders GLOBAL PROPERTY FPKCHECK_FOLDERS)
 
 # Refuses the installation unless all files of a component are built. Otherwise CMake would stop at the first
 # missing file, with the files before it installed.
@@ -57,10 +57,10 @@ install(FILES "${PROJECT_BINARY_DIR}/fpkcheckConfig.cmake"
 
 # Headers include each other as "epc/solve.hpp"; installed headers as "fpkcheck/epc/solve.hpp", to avoid
 # collisions with folders such as `report` or `methods` of other projects.
-string(REPLACE ";" "|" any_room "${rooms}")
+string(REPLACE ";" "|" any_folder "${folders}")
 install(
-  CODE "set(rooms \"${rooms}\")
-        set(any_room \"${any_room}\")
+  CODE "set(folders \"${folders}\")
+        set(any_folder \"${any_folder}\")
         set(source \"${PROJECT_SOURCE_DIR}\")
         set(staged \"${PROJECT_BINARY_DIR}/installed-headers\")
         set(destination \"${CMAKE_INSTALL_INCLUDEDIR}\")"

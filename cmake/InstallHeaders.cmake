@@ -1,12 +1,12 @@
-# Runs at installation: copies the headers of `rooms` from `source` to fpkcheck/ROOM below `destination`, and changes
+# Runs at installation: copies the headers of `folders` from `source` to fpkcheck/FOLDER below `destination`, and changes
 # their includes of each other to this path.
 string(RANDOM LENGTH 8 unique)  # for concurrent installations
 string(APPEND staged "-${unique}")
-foreach(room IN LISTS rooms)
-  file(GLOB_RECURSE headers RELATIVE "${source}" "${source}/${room}/*.hpp")
+foreach(folder IN LISTS folders)
+  file(GLOB_RECURSE headers RELATIVE "${source}" "${source}/${folder}/*.hpp")
   foreach(header IN LISTS headers)
     file(READ "${source}/${header}" text)
-    string(REGEX REPLACE "#include \"(${any_room})/" "#include \"fpkcheck/\\1/" text "${text}")
+    string(REGEX REPLACE "#include \"(${any_folder})/" "#include \"fpkcheck/\\1/" text "${text}")
     file(WRITE "${staged}/fpkcheck/${header}" "${text}")
   endforeach()
 endforeach()

@@ -1,4 +1,4 @@
-#include "averaging/solve.hpp"
+#include "approximations/averaging/solve.hpp"
 #include "methods/builtin_solvers.hpp"
 #include "methods/plot_style.hpp"
 

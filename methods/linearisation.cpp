@@ -1,4 +1,4 @@
-#include "linearisation/solve.hpp"
+#include "approximations/linearisation/solve.hpp"
 #include "methods/builtin_solvers.hpp"
 #include "methods/plot_style.hpp"
 

@@ -195,11 +195,7 @@ std::string selectable_methods_text(const SolverRegistry& registry) {
 
 SolverRegistry builtin_registry() {
   SolverRegistry registry;
-  registry.add_solver(epc_solver());
-  registry.add_solver(fd_solver());
-  registry.add_solver(mcs_solver());
-  registry.add_solver(linearisation_solver());
-  registry.add_solver(averaging_solver());
+  for (const auto& solver : kBuiltinSolvers) registry.add_solver(solver());
   return registry;
 }
 

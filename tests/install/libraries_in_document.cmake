@@ -1,16 +1,16 @@
 # Tests that the list of targets in a document is complete and has no other names:
-#   cmake -DROOMS="a b" -DDOCUMENT=docs/installing.md -P rooms_in_document.cmake
+#   cmake -DLIBRARIES="a b" -DDOCUMENT=docs/installing.md -P libraries_in_document.cmake
 file(READ "${DOCUMENT}" text)
-if(NOT text MATCHES "The targets are `fpkcheck::ROOM`:([^;]*);")
-  message(FATAL_ERROR "${DOCUMENT} has no list of targets; add \"The targets are `fpkcheck::ROOM`: `a`, `b`;\"")
+if(NOT text MATCHES "The targets are `fpkcheck::LIBRARY`:([^;]*);")
+  message(FATAL_ERROR "${DOCUMENT} has no list of targets; add \"The targets are `fpkcheck::LIBRARY`: `a`, `b`;\"")
 endif()
 string(REGEX MATCHALL "`[^`]+`" listed "${CMAKE_MATCH_1}")
 list(TRANSFORM listed REPLACE "`" "")
-separate_arguments(rooms UNIX_COMMAND "${ROOMS}")
-set(missing ${rooms})
+separate_arguments(libraries UNIX_COMMAND "${LIBRARIES}")
+set(missing ${libraries})
 list(REMOVE_ITEM missing ${listed})
 set(unknown ${listed})
-list(REMOVE_ITEM unknown ${rooms})
+list(REMOVE_ITEM unknown ${libraries})
 if(missing OR unknown)
   message(FATAL_ERROR "${DOCUMENT}: missing in the list of targets: ${missing}; in the list, but not a target: ${unknown}")
 endif()

@@ -1,4 +1,4 @@
-#include "linearisation/solve.hpp"
+#include "approximations/linearisation/solve.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "linearisation/options.hpp"
+#include "approximations/linearisation/options.hpp"
 #include "problem/problem.hpp"
 #include "transform/solution.hpp"
 

@@ -1,12 +1,12 @@
-#include "linearisation/solve.hpp"
+#include "approximations/linearisation/solve.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "approximations/linearisation/moment_equations.hpp"
 #include "base/process/stopwatch.hpp"
-#include "linearisation/moment_equations.hpp"
 #include "numerics/roots/newton.hpp"
 #include "problem/motion_scales.hpp"
 #include "transform/smooth_density_results.hpp"

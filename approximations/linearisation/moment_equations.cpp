@@ -1,4 +1,4 @@
-#include "linearisation/moment_equations.hpp"
+#include "approximations/linearisation/moment_equations.hpp"
 
 #include <algorithm>
 #include <cassert>

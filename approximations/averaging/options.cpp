@@ -1,4 +1,4 @@
-#include "averaging/options.hpp"
+#include "approximations/averaging/options.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "averaging/solve.hpp"
+#include "approximations/averaging/solve.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "averaging/band_probabilities.hpp"
+#include "approximations/averaging/band_probabilities.hpp"
 #include "exact/closed_forms.hpp"
 #include "exact/energy_law.hpp"
 #include "fd_fpk/solve.hpp"

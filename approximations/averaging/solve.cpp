@@ -1,4 +1,4 @@
-#include "averaging/solve.hpp"
+#include "approximations/averaging/solve.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <memory>
 #include <vector>
 
-#include "averaging/band_probabilities.hpp"
-#include "averaging/energy_density.hpp"
+#include "approximations/averaging/band_probabilities.hpp"
+#include "approximations/averaging/energy_density.hpp"
 #include "base/process/stopwatch.hpp"
 #include "problem/energy_averaging.hpp"
 #include "problem/problem_features.hpp"

@@ -1,4 +1,4 @@
-#include "averaging/energy_density.hpp"
+#include "approximations/averaging/energy_density.hpp"
 
 #include <algorithm>
 #include <cassert>

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "averaging/energy_density.hpp"
+#include "approximations/averaging/energy_density.hpp"
 #include "problem/problem.hpp"
 
 namespace fpkcheck::averaging {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "averaging/options.hpp"
+#include "approximations/averaging/options.hpp"
 #include "problem/problem.hpp"
 #include "transform/solution.hpp"
 

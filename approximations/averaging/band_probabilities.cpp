@@ -1,4 +1,4 @@
-#include "averaging/band_probabilities.hpp"
+#include "approximations/averaging/band_probabilities.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "linearisation/options.hpp"
+#include "approximations/linearisation/options.hpp"
 
 namespace fpkcheck::linearisation {
 
