@@ -48,6 +48,7 @@ const base::Parameter& case_file_parameter(std::string_view key,
     }
   }
   std::vector<std::string> known;  // known keys, grouped by section: "wall.{left, right}"
+  std::string known_in_section;    // known keys of the section that `key` names
   for (const base::OptionsDescriptionBase* section : case_section_descriptions()) {
     std::vector<std::string_view> names;
     for (const auto& parameter : section->parameters()) {
@@ -55,6 +56,7 @@ const base::Parameter& case_file_parameter(std::string_view key,
       names.emplace_back(parameter.name);
     }
     known.push_back(fmt::format("{}{{{}}}", section->prefix(), fmt::join(names, ", ")));
+    if (key.starts_with(section->prefix())) known_in_section = known.back();
   }
   if (key.starts_with("param")) {
     throw InputError(fmt::format("{}: unknown key {}; write {}NAME for a named constant",
@@ -62,6 +64,10 @@ const base::Parameter& case_file_parameter(std::string_view key,
   }
   if (const std::string text = unsupported_feature_message(key); !text.empty()) {
     throw InputError(fmt::format("{}: key {}: {}", message_prefix, in_quotes(key), text));
+  }
+  if (!known_in_section.empty()) {
+    throw InputError(fmt::format("{}: unknown key {}; known keys: {}; see docs/not_treated.md",
+                                 message_prefix, in_quotes(key), known_in_section));
   }
   throw InputError(fmt::format("{}: unknown key {}; known keys: {}", message_prefix, in_quotes(key),
                                fmt::join(known, ", ")));

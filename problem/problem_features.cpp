@@ -99,9 +99,7 @@ std::string unsupported_feature_message(std::string_view key_or_command) {
   for (const auto& [subject, words] : unsupported_features()) {
     const bool is_named = std::ranges::find_first_of(parts, words) != parts.end();
     if (is_named) {
-      return fmt::format(
-          "the program does not treat {}; `fpkcheck --help` and README.md list such features",
-          subject);
+      return fmt::format("the program does not treat {}; see docs/not_treated.md", subject);
     }
   }
   return "";
