@@ -14,10 +14,11 @@ Solver fd_solver();
 Solver mcs_solver();
 Solver linearisation_solver();
 Solver averaging_solver();
+Solver cumulant_solver();
 
 /// The built-in solvers in the order of help texts and lists.
-inline constexpr std::array kBuiltinSolvers = {epc_solver, fd_solver, mcs_solver,
-                                               linearisation_solver, averaging_solver};
+inline constexpr std::array kBuiltinSolvers = {
+    epc_solver, fd_solver, mcs_solver, linearisation_solver, averaging_solver, cumulant_solver};
 
 /// Returns a registry of all built-in solvers.
 SolverRegistry builtin_registry();

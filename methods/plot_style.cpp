@@ -72,9 +72,9 @@ PlotStyle finite_volume_scheme_style(std::size_t rank) {
 }
 
 PlotStyle literature_method_style(std::size_t rank) {
-  constexpr std::array kColours{"#8C510A", "#01665E"};
-  constexpr std::array kSymbols{"cross", "asterisk"};
-  constexpr std::array kDashPatterns{"(14,3)", "(3,3)"};
+  constexpr std::array kColours{"#8C510A", "#01665E", "#4D4D4D"};
+  constexpr std::array kSymbols{"cross", "asterisk", "x"};
+  constexpr std::array kDashPatterns{"(14,3)", "(3,3)", "(8,3)"};
   return {.colour = kColours.at(rank),
           .dash = kDashPatterns.at(rank),
           .width = 2,

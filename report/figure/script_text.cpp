@@ -79,9 +79,9 @@ GnuplotPointTypes gnuplot_point_types(const std::string& symbol) {
     return {open, open};
   }
   constexpr std::pair<std::string_view, GnuplotPointTypes> kShapes[] = {
-      {"cross", {1, 1}},     {"asterisk", {3, 3}},    {"circle", {7, 6}},
-      {"square", {5, 4}},    {"triangle-up", {9, 8}}, {"triangle-down", {11, 10}},
-      {"diamond", {13, 12}}, {"pentagon", {15, 14}}};
+      {"cross", {1, 1}},           {"x", {2, 2}},         {"asterisk", {3, 3}},
+      {"circle", {7, 6}},          {"square", {5, 4}},    {"triangle-up", {9, 8}},
+      {"triangle-down", {11, 10}}, {"diamond", {13, 12}}, {"pentagon", {15, 14}}};
   for (const auto& [shape, types] : kShapes) {
     if (shape == symbol) return types;
   }

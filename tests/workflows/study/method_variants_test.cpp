@@ -34,10 +34,10 @@ Names ids_beside(const methods::SolverRegistry& registry, DensityEquation equati
 }
 
 TEST(Kinds, OfClosuresAreFormulationsAndTheirVariants) {
-  EXPECT_EQ(
-      names(methods::builtin_registry(), SolutionRole::closure),
-      (Names{"gaussian", "gaussian-white", "gaussian-kf", "moment", "moment-white", "moment-cut",
-             "polar", "linearisation", "linearisation-delta", "averaging-white", "averaging-kf"}));
+  EXPECT_EQ(names(methods::builtin_registry(), SolutionRole::closure),
+            (Names{"gaussian", "gaussian-white", "gaussian-kf", "moment", "moment-white",
+                   "moment-cut", "polar", "linearisation", "linearisation-delta", "averaging-white",
+                   "averaging-kf", "cumulant", "cumulant-delta"}));
 }
 
 TEST(Kinds, IncludeExternallyRegisteredMethods) {
@@ -50,8 +50,9 @@ TEST(Kinds, IncludeExternallyRegisteredMethods) {
 TEST(Kinds, DistinguishDefaultsAndMethodsOfTheFullProblem) {
   for (const auto& variant : method_variants(methods::builtin_registry(), SolutionRole::closure)) {
     const std::set<std::string> defaults{"gaussian",      "moment",          "polar",
-                                         "linearisation", "averaging-white", "averaging-kf"};
-    const std::set<std::string> full{"moment", "moment-cut", "polar", "averaging-kf"};
+                                         "linearisation", "averaging-white", "averaging-kf",
+                                         "cumulant"};
+    const std::set<std::string> full{"moment", "moment-cut", "polar", "averaging-kf", "cumulant"};
     EXPECT_EQ(variant.is_default_variant, defaults.contains(variant.name)) << variant.name;
     EXPECT_EQ(variant.solves_full_problem(), full.contains(variant.name)) << variant.name;
   }
@@ -60,12 +61,18 @@ TEST(Kinds, DistinguishDefaultsAndMethodsOfTheFullProblem) {
 // Every closure approximates the full problem; for other equations only their own closures count.
 TEST(OtherMethods, SolveTheEquationWithTheImpact) {
   const auto registry = methods::builtin_registry();
-  EXPECT_EQ(
-      ids_beside(registry, DensityEquation::kf, ImpactCondition::map),
-      (Names{"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6", "epc-moment-n2",
-             "epc-moment-n4", "epc-moment-n6", "epc-moment-n8", "epc-moment-n10", "epc-moment-n12",
-             "epc-polar-n2", "epc-polar-n4", "epc-polar-n6", "epc-polar-n8", "epc-polar-n10",
-             "epc-polar-n12", "linearisation", "averaging-white", "averaging-kf", "mcs"}));
+  EXPECT_EQ(ids_beside(registry, DensityEquation::kf, ImpactCondition::map),
+            (Names{"epc-gaussian-n2", "epc-gaussian-n4",
+                   "epc-gaussian-n6", "epc-moment-n2",
+                   "epc-moment-n4",   "epc-moment-n6",
+                   "epc-moment-n8",   "epc-moment-n10",
+                   "epc-moment-n12",  "epc-polar-n2",
+                   "epc-polar-n4",    "epc-polar-n6",
+                   "epc-polar-n8",    "epc-polar-n10",
+                   "epc-polar-n12",   "linearisation",
+                   "averaging-white", "averaging-kf",
+                   "cumulant-n2",     "cumulant-n4",
+                   "cumulant-n6",     "mcs"}));
   EXPECT_EQ(ids_beside(registry, DensityEquation::km4, ImpactCondition::delta),
             (Names{"epc-gaussian-n2", "epc-gaussian-n4", "epc-gaussian-n6"}));
   EXPECT_EQ(ids_beside(registry, DensityEquation::white, ImpactCondition::map),
@@ -76,7 +83,8 @@ TEST(OtherMethods, SolveTheEquationWithTheImpact) {
             (Names{"epc-gaussian-white-n2", "epc-gaussian-white-n4", "epc-gaussian-white-n6",
                    "linearisation-delta"}));
   EXPECT_EQ(ids_beside(registry, DensityEquation::kf, ImpactCondition::delta),
-            (Names{"epc-gaussian-kf-n2", "epc-gaussian-kf-n4", "epc-gaussian-kf-n6"}));
+            (Names{"epc-gaussian-kf-n2", "epc-gaussian-kf-n4", "epc-gaussian-kf-n6",
+                   "cumulant-delta-n2", "cumulant-delta-n4", "cumulant-delta-n6"}));
   EXPECT_EQ(ids_beside(registry, DensityEquation::km4, ImpactCondition::map), Names{});
   EXPECT_EQ(ids_beside(registry, DensityEquation::km4_pade, ImpactCondition::map), Names{});
 }
