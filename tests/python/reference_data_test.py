@@ -181,7 +181,7 @@ class Tables(unittest.TestCase):
                 self.assertEqual(problem.equation.count("{"), problem.equation.count("}"))
                 self.assertTrue({"system.damping", "system.force"} & set(problem.parameters))
 
-    # The solution of the integral equation for r = 0.3 takes half a minute; test_printed_values tests its values.
+    # test_printed_values tests the two omitted problems.
     def test_exact_values_are_those_of_the_formulas(self):
         for name in reference.problems():
             if name in ("inelastic_ball_03", "inelastic_ball_08"):
