@@ -47,10 +47,13 @@ A FILE of --against has one of these formats (docs/external.md), with or without
                  "lower upper density_or_count"
   p(y, y')       columns y,v,p; netCDF-4, e.g. joint.nc of a run; or an exponential polynomial as
                  JSON, e.g. summary.json of a run
+  samples        with samples=: columns y; y,v; or t,y,v
 Keys after the label:
   equation=white|km4|km4-pade|kf  equation of the density: adds error estimate and error budget
   impact=map|delta|exact          impact condition of that equation (default: map)
   order=N                         order of the density, for its place among the closures
+  samples=series|independent      samples instead of a density; series: a time series
+  role=reference                  compare all methods with this density
   solution=ID, case=NAME          density to read from a file of a run
 )";
 constexpr const char* kDefaultDirectory = "fpkcheck-out";

@@ -20,6 +20,8 @@ constexpr double kUnknownError = std::numeric_limits<double>::infinity();
 const Solution* select_reference(std::span<const Solution> solutions) {
   const Solution* best = nullptr;
   for (const auto& solution : solutions) {
+    if (solution.identity.role == SolutionRole::measurement && solution.has_density())
+      return &solution;
     if (!is_solution_of_full_problem(solution)) continue;
     if (best == nullptr || !(l1_error_estimate(*best) < l1_error_estimate(solution)))
       best = &solution;
@@ -150,6 +152,7 @@ SolutionsAssessment assess_solutions(std::span<const Solution> solutions,
       return std::isfinite(error) ? error : kUnknownError;
     };
     assessment.reference = reference->id();
+    assessment.is_reference_chosen_by_user = reference->identity.role == SolutionRole::measurement;
     assessment.reference_y_l1 = known(StateVariable::y);
     assessment.reference_ydot_l1 = known(StateVariable::ydot);
     assessment.confirmation = find_reference_confirmation(*reference, solutions, pairs);

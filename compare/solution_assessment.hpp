@@ -92,8 +92,10 @@ struct SolutionsAssessment {
   /// Id of the reference: the solution of the full problem with the smallest sum of the L1 error
   /// estimates of p(y) and p(y'). If the error estimates of several solutions are equal or missing,
   /// the most trusted solution is the reference. The id of the reference is empty if no solution
-  /// satisfies is_solution_of_full_problem().
+  /// satisfies is_solution_of_full_problem(). An external density that the user chose as the
+  /// reference (SolutionRole::measurement) precedes all solutions.
   std::string reference = {};
+  bool is_reference_chosen_by_user = false;
   /// L1 error estimates of p(y) and p(y') of the reference; infinite if unknown.
   double reference_y_l1 = std::numeric_limits<double>::infinity();
   double reference_ydot_l1 = std::numeric_limits<double>::infinity();

@@ -26,6 +26,8 @@ std::string reference_description_text(const results::CaseResult& case_result) {
   const auto& assessment = case_result.assessment;
   if (assessment.reference.empty())
     return "There is no reference: no solution of the full problem has status ok.";
+  if (assessment.is_reference_chosen_by_user)
+    return fmt::format("Reference: {}, as chosen by role=reference.", assessment.reference);
   const std::string known =
       assessment.is_reference_selected_by_error()
           ? fmt::format(

@@ -226,10 +226,12 @@ void add_sampling_errors(const CaseResult& case_result, Sentences& sentences) {
     const MarginalDistances l1 = sampling_errors(solution);
     if (!l1.has_any_distance() || !solution.standard_errors) continue;
     const auto& moments = solution.standard_errors->moments;
-    sentences.push_back(
-        fmt::format("The sampling error of {}: on average L1 {}; standard errors {:.1g} in E[y^2] "
-                    "and {:.1g} in E[y'^2].",
-                    solution.id(), l1_distances_text(l1), moments.y2, moments.v2));
+    // Samples of y alone have no moments of y'.
+    const std::string of_velocity =
+        std::isfinite(moments.v2) ? fmt::format(" and {:.1g} in E[y'^2]", moments.v2) : "";
+    sentences.push_back(fmt::format(
+        "The sampling error of {}: on average L1 {}; standard errors {:.1g} in E[y^2]{}.",
+        solution.id(), l1_distances_text(l1), moments.y2, of_velocity));
   }
 }
 

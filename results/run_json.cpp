@@ -105,7 +105,9 @@ Json assessment_json(const compare::SolutionsAssessment& assessment) {
   if (!assessment.reference.empty()) {
     json["reference"] = {
         {"solution", assessment.reference},
-        {"selected_by", assessment.is_reference_selected_by_error() ? "error_estimate" : "trust"},
+        {"selected_by", assessment.is_reference_chosen_by_user        ? "user"
+                        : assessment.is_reference_selected_by_error() ? "error_estimate"
+                                                                      : "trust"},
         {"y_l1", assessment.reference_y_l1},
         {"ydot_l1", assessment.reference_ydot_l1}};
   }
@@ -244,6 +246,7 @@ compare::SolutionsAssessment assessment_from_json(const Json& json, const CaseRe
   compare::SolutionsAssessment assessment;
   if (const Json& reference = json.at("reference"); !reference.is_null()) {
     assessment.reference = id_in(reference);
+    assessment.is_reference_chosen_by_user = reference.value("selected_by", "") == "user";
     assessment.reference_y_l1 = number_or_default(kInfinity, reference.at("y_l1"));
     assessment.reference_ydot_l1 = number_or_default(kInfinity, reference.at("ydot_l1"));
   }

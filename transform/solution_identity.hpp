@@ -15,12 +15,14 @@ enum class SolutionRole {
   closure,     ///< a density of assumed form
   equation,    ///< a discretised density equation
   simulation,  ///< estimates from simulated trajectories
+  measurement  ///< an external density that the user chose as the reference
 };
 inline constexpr base::EnumEntry<SolutionRole> kSolutionRoleNames[] = {
     {SolutionRole::external, "given"},
     {SolutionRole::closure, "closure"},
     {SolutionRole::equation, "equation"},
-    {SolutionRole::simulation, "simulation"}};
+    {SolutionRole::simulation, "simulation"},
+    {SolutionRole::measurement, "measurement"}};
 constexpr const auto& enumerator_names(SolutionRole) { return kSolutionRoleNames; }
 constexpr std::string_view name(SolutionRole role) { return base::name_of(role); }
 

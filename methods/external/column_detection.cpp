@@ -1,8 +1,13 @@
 #include "methods/external/number_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
+
+#include "base/text/printable_text.hpp"
 
 namespace fpkcheck::methods {
 namespace {
@@ -13,6 +18,10 @@ using Names = std::span<const std::string_view>;
 constexpr std::string_view kVelocity[] = {"ydot", "y'",      "v",     "velocity", "dy/dt",  "xdot",
                                           "x'",   "p(ydot)", "p(y')", "p(v)",     "p_ydot", "p_v"};
 constexpr std::string_view kDisplacement[] = {"y", "x", "displacement", "p(y)", "p_y", "p(x)"};
+// Names of the variables themselves, in files of joint densities and of samples.
+constexpr std::string_view kTime[] = {"t", "time"};
+constexpr std::string_view kPosition[] = {"y", "x", "displacement"};
+constexpr std::string_view kSpeed[] = {"ydot", "y'", "v", "velocity", "dy/dt", "xdot", "x'"};
 constexpr std::string_view kEdges[] = {"lower", "upper", "left", "right", "from", "to"};
 constexpr std::string_view kCounts[] = {"count", "counts", "frequency", "samples", "n"};
 constexpr std::string_view kProbabilities[] = {"probability", "probabilities"};
@@ -49,6 +58,20 @@ double relative_gap(const std::vector<double>& bin, const std::vector<double>& n
   return std::abs(next[0] / 2 - bin[1] / 2) / std::min(half_width(bin), half_width(next));
 }
 
+void require_equidistant_times(const NumberTable& table, std::size_t column) {
+  constexpr double kTolerance = 0.01;
+  if (table.rows.size() < 2) return;
+  const double interval = table.rows[1][column] - table.rows[0][column];
+  for (std::size_t k = 1; k < table.rows.size(); ++k) {
+    const double step = table.rows[k][column] - table.rows[k - 1][column];
+    if (interval > 0 && std::abs(step - interval) <= kTolerance * interval) continue;
+    table.throw_row_error(
+        k, fmt::format("the time advances by {:.6g} after steps of {:.6g} (must be equidistant and "
+                       "increasing); resample the record",
+                       step, interval));
+  }
+}
+
 }  // namespace
 
 StateVariable variable_from_column_names(const NumberTable& table) {
@@ -61,14 +84,36 @@ StateVariable variable_from_column_names(const NumberTable& table) {
 }
 
 std::size_t velocity_column_index(const std::vector<std::string>& names) {
-  constexpr std::string_view kPosition[] = {"y", "x", "displacement"};
-  constexpr std::string_view kSpeed[] = {"ydot", "y'", "v", "velocity", "dy/dt", "xdot", "x'"};
   constexpr std::string_view kJoint[] = {"p", "density", "pdf", "probability density"};
   if (names.size() != 3 || !is_one_of(names[2], kJoint)) return names.size();
   for (const std::size_t of_v : {1, 0}) {
     if (is_one_of(names[of_v], kSpeed) && is_one_of(names[1 - of_v], kPosition)) return of_v;
   }
   return names.size();
+}
+
+StateSamples samples_from_table(const NumberTable& table) {
+  const std::size_t columns = table.column_count();
+  std::optional<std::size_t> time, displacement, velocity;
+  if (table.names.empty()) {
+    if (columns == 3) time = 0;
+    displacement = columns == 3 ? 1 : 0;
+    if (columns > 1) velocity = columns - 1;
+  }
+  for (std::size_t c = 0; c < table.names.size(); ++c) {
+    auto& column = is_one_of(table.names[c], kTime)    ? time
+                   : is_one_of(table.names[c], kSpeed) ? velocity
+                                                       : displacement;
+    if (column || (&column == &displacement && !is_one_of(table.names[c], kPosition))) {
+      table.throw_row_error(0, fmt::format("the samples have a column {}; name the columns t, y, v",
+                                           base::in_quotes(table.names[c])));
+    }
+    column = c;
+  }
+  if (!displacement) table.throw_row_error(0, "the samples have no column y; add it");
+  if (time) require_equidistant_times(table, *time);
+  return {.y = table.column_values(*displacement),
+          .v = velocity ? table.column_values(*velocity) : std::vector<double>()};
 }
 
 bool are_bins_adjacent(const std::vector<double>& bin, const std::vector<double>& next) {

@@ -37,13 +37,22 @@ void set(const std::string& key, const std::string& value, ExternalDensityArgume
     argument.impact = base::parse_enum<problem::ImpactCondition>("--against: impact =", value);
   } else if (key == "order") {
     argument.order = parse_order(value);
+  } else if (key == "samples") {
+    argument.samples = base::parse_enum<SampleRelation>("--against: samples =", value);
+  } else if (key == "role") {
+    if (value != "reference") {
+      throw InputError(
+          fmt::format("--against: role = {} (must be reference)", base::in_quotes(value)));
+    }
+    argument.is_reference = true;
   } else if (key == "solution") {
     argument.solution = value;
   } else if (key == "case") {
     argument.case_name = value;
   } else {
     throw InputError(
-        fmt::format("--against: unknown key {}; use equation, impact, order, solution or case",
+        fmt::format("--against: unknown key {}; use equation, impact, order, samples, role, "
+                    "solution or case",
                     base::in_quotes(key)));
   }
 }
@@ -78,6 +87,12 @@ ExternalDensityArgument parse_external_argument(const std::string& text) {
   if (argument.impact && !argument.equation) {
     throw InputError(
         fmt::format("--against: impact = {} lacks an equation; give both", name(*argument.impact)));
+  }
+  if (argument.is_reference && argument.equation) {
+    throw InputError(
+        fmt::format("--against: role = reference with equation = {}; a reference approximates no "
+                    "equation, omit one key",
+                    name(*argument.equation)));
   }
   const auto colon = rest.rfind(':');
   if (colon == std::string::npos || file_exists(rest)) {

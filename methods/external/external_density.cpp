@@ -123,7 +123,10 @@ transform::SolutionIdentity make_external_density_identity(const ExternalDensity
                                        .family = std::string(method),
                                        .trust = static_cast<int>(external.index),
                                        .plot_style = external_density_style(external.index)};
-  if (external.equation) {
+  if (external.is_reference) {
+    identity.role = transform::SolutionRole::measurement;
+    identity.meaning = fmt::format("The reference: an external density, {}.", origin);
+  } else if (external.equation) {
     identity.role = transform::SolutionRole::closure;
     identity.equation = external.equation;
     identity.impact = external.impact;

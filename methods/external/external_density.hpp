@@ -10,7 +10,7 @@
 
 /// Methods that return an external density, from a file or from Python, instead of solving an
 /// equation. An external density with a stated density equation has the role of a closure: the
-/// external density has an error budget and is never the reference.
+/// external density has an error budget. An external density is the reference only on request.
 namespace fpkcheck::methods {
 
 struct ExternalDensity {
@@ -21,6 +21,8 @@ struct ExternalDensity {
   problem::ImpactCondition impact = problem::ImpactCondition::map;
   std::size_t index = 0;          ///< index among all external densities, for plot styles
   std::optional<int> order = {};  ///< closure order of the density, if known
+  /// Whether the density is the reference of the comparison, whatever its error.
+  bool is_reference = false;
 };
 
 /// Returns the identity of the solution for an external density.

@@ -17,6 +17,7 @@
 #include "methods/external/external_joint.hpp"
 #include "methods/external/external_labels.hpp"
 #include "methods/external/external_marginal.hpp"
+#include "methods/external/external_samples.hpp"
 #include "methods/external/joint_table.hpp"
 #include "methods/external/range_between_walls.hpp"
 #include "problem/balances.hpp"
@@ -161,6 +162,7 @@ struct DensityFilesWithLabel {
   ExternalDensity external;
   std::vector<MarginalFile> marginals;
   std::optional<ExternalJointDensity> joint;
+  std::optional<StateSamples> samples;
 };
 
 // Sets the density equation, impact condition and order of an external density from the argument of
@@ -188,6 +190,7 @@ void set_identity(const ExternalDensityArgument& argument, const ExternalJointDe
     external.equation = equation;
     external.impact = own_impact;
   }
+  if (argument.is_reference) external.is_reference = true;
   if (order) {
     if (external.order && *external.order != *order) differ("order");
     external.order = order;
@@ -205,11 +208,28 @@ void add_marginal(NumberTable table, DensityFilesWithLabel& given) {
   given.marginals.push_back({std::move(table), variable});
 }
 
+StateSamples read_samples(const ExternalDensityArgument& argument, DensityFileFormat format,
+                          std::string bytes) {
+  const std::string source = argument.file.string();
+  if (format != DensityFileFormat::text) {
+    throw InputError(
+        fmt::format("{} has no columns of samples; omit the key samples", base::in_quotes(source)));
+  }
+  std::istringstream in(std::move(bytes));
+  StateSamples samples =
+      samples_from_table(read_number_table(in, source, NumberTableContent::samples));
+  samples.is_time_series = *argument.samples == SampleRelation::series;
+  return samples;
+}
+
 void read_density_into(const ExternalDensityArgument& argument, const std::string& case_name,
                        const SolverRegistry& registry, DensityFilesWithLabel& given) {
   auto [form, bytes] = read_density_file(argument.file);
   std::optional<ExternalJointDensity> joint;
-  if (form == DensityFileFormat::netcdf) {
+  std::optional<StateSamples> samples;
+  if (argument.samples) {
+    samples = read_samples(argument, form, std::move(bytes));
+  } else if (form == DensityFileFormat::netcdf) {
     joint = joint_density_from_netcdf(argument, std::move(bytes), case_name, registry);
   } else if (form == DensityFileFormat::json) {
     joint = joint_density_from_json(argument, bytes, case_name);
@@ -227,13 +247,14 @@ void read_density_into(const ExternalDensityArgument& argument, const std::strin
       add_marginal(std::move(table), given);
     }
   }
-  if (given.joint || (joint && !given.marginals.empty())) {
-    throw InputError(
-        fmt::format("two files of '{}', one of them a joint density; give one file another label",
-                    given.external.label));
+  if (given.joint || given.samples || ((joint || samples) && !given.marginals.empty())) {
+    throw InputError(fmt::format(
+        "two files of '{}', one of them a joint density or samples; give one file another label",
+        given.external.label));
   }
   set_identity(argument, joint ? &*joint : nullptr, given.external);
   given.joint = std::move(joint);
+  given.samples = std::move(samples);
 }
 
 Method make_marginals_method(const ExternalDensity& external,
@@ -262,14 +283,17 @@ std::vector<Method> external_density_methods_from_files(std::span<const std::str
     auto external = std::ranges::find(solutions, label, label_of);
     for (const auto& given : solutions) require_distinct_labels(given.external.label, label);
     if (external == solutions.end()) {
-      external = solutions.insert(external, {{.label = label, .index = solutions.size()}, {}, {}});
+      external =
+          solutions.insert(external, {{.label = label, .index = solutions.size()}, {}, {}, {}});
     }
     read_density_into(argument, case_name, registry, *external);
   }
   std::vector<Method> methods;
-  for (const auto& [external, marginals, joint] : solutions) {
-    methods.push_back(joint ? make_method_from_joint_density(external, *joint)
-                            : make_marginals_method(external, marginals));
+  for (auto& [external, marginals, joint, samples] : solutions) {
+    methods.push_back(joint     ? make_method_from_joint_density(external, *joint)
+                      : samples ? make_method_from_samples(external, transform::kExternalFile,
+                                                           *std::move(samples))
+                                : make_marginals_method(external, marginals));
   }
   group_methods_into_families(methods);
   return methods;

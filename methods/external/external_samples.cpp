@@ -6,11 +6,13 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "base/input_error.hpp"
 #include "methods/external/bin_average_errors.hpp"
 #include "methods/external/range_between_walls.hpp"
+#include "numerics/block_bootstrap.hpp"
 #include "numerics/statistics.hpp"
 #include "problem/problem_features.hpp"
 
@@ -23,71 +25,207 @@ using transform::Status;
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-// Samples of (y, y') with the effective number of independent samples.
-struct StateSamples {
-  std::vector<double> y, v;
-  double independent;
-
-  std::size_t size() const { return y.size(); }
-};
-
 std::optional<std::size_t> bin_index(const std::vector<double>& edges, double value) {
   if (!(value >= edges.front() && value < edges.back())) return std::nullopt;
   return static_cast<std::size_t>(std::ranges::upper_bound(edges, value) - edges.begin()) - 1;
 }
 
-StateSamples without_samples_at_rest(const StateSamples& samples, const problem::Problem& problem) {
-  if (!problem::problem_features(problem).rests_in_contact) return samples;
+// A sample of one variable of the state, with the number of the bin that contains the sample.
+struct VariableSamples {
+  StateVariable variable;
+  const std::vector<double>& values;
+  const std::vector<double>& edges;
+  /// Bin of each sample; empty outside all bins, and for a sample at rest in contact with a wall.
+  std::vector<std::optional<std::size_t>> bins;
+
+  std::size_t bin_count() const { return edges.size() - 1; }
+  double bin_width(std::size_t b) const { return edges[b + 1] - edges[b]; }
+};
+
+std::vector<VariableSamples> assign_bins(const StateSamples& samples,
+                                         const problem::Problem& problem,
+                                         const compare::ComparisonBins& axes) {
+  std::vector<VariableSamples> variables{{StateVariable::y, samples.y, axes.y_edges, {}}};
+  if (!samples.v.empty()) variables.push_back({StateVariable::ydot, samples.v, axes.v_edges, {}});
   const problem::Walls walls = problem.system.walls();
-  StateSamples left{{}, {}, samples.independent};
+  const bool may_rest = problem::problem_features(problem).rests_in_contact && !samples.v.empty();
   for (std::size_t k = 0; k < samples.size(); ++k) {
     const double y = samples.y[k];
-    if (samples.v[k] == 0 && (is_at_wall(walls.left, y) || is_at_wall(walls.right, y))) continue;
-    left.y.push_back(y);
-    left.v.push_back(samples.v[k]);
+    const bool at_rest =
+        may_rest && samples.v[k] == 0 && (is_at_wall(walls.left, y) || is_at_wall(walls.right, y));
+    for (auto& variable : variables) {
+      variable.bins.push_back(at_rest ? std::nullopt
+                                      : bin_index(variable.edges, variable.values[k]));
+    }
   }
-  return left;
+  return variables;
 }
 
-// Adds a marginal density to the solution, from the fractions of all `n` samples in each bin, with
-// confidence intervals from the standard errors of the fractions.
-void add_marginal(const std::vector<double>& edges, const std::vector<double>& values, double n,
-                  double independent, StateVariable variable, Solution& solution) {
-  std::vector<double> fractions(edges.size() - 1);
-  for (const double value : values) {
-    if (const auto bin = bin_index(edges, value)) fractions[*bin] += 1 / n;
+// The powers of a variable whose averages are moments of the solution.
+constexpr int kPowers[] = {1, 2, 4};
+static_assert(2 * std::size(kPowers) == std::size(transform::kMoments));
+
+// Averages over the samples of one variable: the fraction of all samples in each bin, and moments.
+struct VariableAverages {
+  std::vector<double> fractions, moments;
+};
+
+VariableAverages average_samples(const VariableSamples& samples, std::size_t from, std::size_t to) {
+  VariableAverages result{std::vector<double>(samples.bin_count()),
+                          std::vector<double>(std::size(kPowers))};
+  for (std::size_t k = from; k < to; ++k) {
+    if (samples.bins[k]) result.fractions[*samples.bins[k]] += 1;
+    for (std::size_t p = 0; p < std::size(kPowers); ++p) {
+      result.moments[p] += std::pow(samples.values[k], kPowers[p]);
+    }
   }
-  transform::Marginal marginal{edges, {}, {}, {}};
+  const double count = static_cast<double>(to - from);
+  for (double& fraction : result.fractions) fraction /= count;
+  for (double& moment : result.moments) moment /= count;
+  return result;
+}
+
+struct SamplingErrorsOfVariable {
+  std::vector<double> lower, upper;  ///< 95 % confidence limits of the fractions
+  std::vector<double> moment_errors;
+  L1SamplingError l1;
+};
+
+SamplingErrorsOfVariable errors_of_independent_samples(const VariableSamples& samples,
+                                                       const VariableAverages& averages,
+                                                       double independent) {
+  SamplingErrorsOfVariable result;
   std::vector<BinAverageError> errors;
-  for (std::size_t b = 0; b < fractions.size(); ++b) {
-    const double width = edges[b + 1] - edges[b], density = fractions[b] / width;
-    const double error = std::sqrt(fractions[b] * (1 - fractions[b]) / independent) / width;
-    marginal.density.push_back(density);
-    marginal.lower.push_back(std::max(0.0, density - numerics::kNormal95 * error));
-    marginal.upper.push_back(density + numerics::kNormal95 * error);
-    errors.push_back({width, b, {error}});
+  for (std::size_t b = 0; b < samples.bin_count(); ++b) {
+    const double fraction = averages.fractions[b];
+    const double error = std::sqrt(fraction * (1 - fraction) / independent);
+    result.lower.push_back(std::max(0.0, fraction - numerics::kNormal95 * error));
+    result.upper.push_back(fraction + numerics::kNormal95 * error);
+    errors.push_back({samples.bin_width(b), b, {error / samples.bin_width(b)}});
   }
-  const auto [expected, quantile_99] = l1_sampling_error(errors);
-  auto& sampling = solution.sampling ? *solution.sampling : solution.sampling.emplace();
-  (variable == StateVariable::y ? sampling.y : sampling.ydot) = expected;
-  (variable == StateVariable::y ? sampling.y_99 : sampling.ydot_99) = quantile_99;
-  solution.estimated_marginals.emplace_back(variable, std::move(marginal));
+  result.l1 = l1_sampling_error(errors);
+  for (std::size_t p = 0; p < std::size(kPowers); ++p) {
+    double squares = 0;
+    for (const double value : samples.values) {
+      squares += std::pow(std::pow(value, kPowers[p]) - averages.moments[p], 2);
+    }
+    result.moment_errors.push_back(
+        std::sqrt(squares / static_cast<double>(samples.values.size()) / independent));
+  }
+  return result;
 }
 
-void set_moments(const StateSamples& samples, Solution& solution) {
-  constexpr int kPowers[] = {1, 2, 4, 1, 2, 4};  // three powers of y, then three powers of y'
-  static_assert(std::size(kPowers) == std::size(transform::kMoments));
-  const double n = static_cast<double>(samples.size());
-  for (std::size_t k = 0; k < std::size(kPowers); ++k) {
-    const auto moment = transform::kMoments[k].moment;
-    const auto& values = k < 3 ? samples.y : samples.v;
-    double sum = 0, squares = 0;
-    for (const double value : values) sum += std::pow(value, kPowers[k]);
-    const double mean = sum / n;
-    for (const double value : values) squares += std::pow(std::pow(value, kPowers[k]) - mean, 2);
-    solution.moments.*moment = mean;
-    solution.standard_errors->moments.*moment = std::sqrt(squares / n / samples.independent);
+// Blocks of a time series for the bootstrap.
+struct BlockDivision {
+  std::size_t block_count;
+  bool is_reliable;
+};
+
+// The block length is the longest one of y, y^2 and y'^2: the squares decorrelate with the energy,
+// which is the slowest variable of a lightly damped oscillator. The velocity itself is the
+// derivative of y and has no slow part. More than kMaxBlocks blocks only cost time: the standard
+// errors of kMaxBlocks blocks are known to 1 / sqrt(2 kMaxBlocks).
+BlockDivision divide_into_blocks(const StateSamples& samples) {
+  constexpr std::size_t kMaxBlocks = 4096, kMinBlocks = 20, kFewestBlocks = 10;
+  const auto squares = [](const std::vector<double>& values) {
+    std::vector<double> result;
+    for (const double value : values) result.push_back(value * value);
+    return result;
+  };
+  std::vector<std::vector<double>> sequences{samples.y, squares(samples.y)};
+  if (!samples.v.empty()) sequences.push_back(squares(samples.v));
+  double longest = 1;
+  for (const auto& sequence : sequences) {
+    const auto length = numerics::bootstrap_block_length(sequence);
+    if (!length) return {kFewestBlocks, false};
+    longest = std::max(longest, *length);
   }
+  const auto blocks = static_cast<std::size_t>(static_cast<double>(samples.size()) / longest);
+  return {std::clamp(blocks, kFewestBlocks, kMaxBlocks), blocks >= kMinBlocks};
+}
+
+// Returns the value that the given fraction of the replicates of one quantity does not exceed.
+double replicate_quantile(std::vector<double>& values, double fraction) {
+  const auto nth = values.begin() +
+                   static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
+  std::ranges::nth_element(values, nth);
+  return *nth;
+}
+
+SamplingErrorsOfVariable errors_of_time_series(const VariableSamples& samples,
+                                               const VariableAverages& averages,
+                                               std::size_t block_count) {
+  constexpr std::size_t kReplicates = 1000;
+  numerics::BlockAverages blocks{samples.bin_count() + std::size(kPowers), {}};
+  const std::size_t n = samples.values.size();
+  for (std::size_t k = 0; k < block_count; ++k) {
+    const VariableAverages block =
+        average_samples(samples, k * n / block_count, (k + 1) * n / block_count);
+    for (const auto* part : {&block.fractions, &block.moments}) {
+      blocks.averages.insert(blocks.averages.end(), part->begin(), part->end());
+    }
+  }
+  const std::vector<double> replicates = numerics::bootstrap_replicates(blocks, kReplicates);
+  const auto replicates_of = [&](std::size_t quantity) {
+    std::vector<double> values;
+    for (std::size_t r = 0; r < kReplicates; ++r) {
+      values.push_back(replicates[r * blocks.quantity_count + quantity]);
+    }
+    return values;
+  };
+  SamplingErrorsOfVariable result;
+  std::vector<double> distances(kReplicates);
+  for (std::size_t b = 0; b < samples.bin_count(); ++b) {
+    std::vector<double> values = replicates_of(b);
+    for (std::size_t r = 0; r < kReplicates; ++r) {
+      distances[r] += std::abs(values[r] - averages.fractions[b]);
+    }
+    result.lower.push_back(replicate_quantile(values, 0.025));
+    result.upper.push_back(replicate_quantile(values, 0.975));
+  }
+  for (const double distance : distances) result.l1.expected += distance / kReplicates;
+  result.l1.quantile_99 = replicate_quantile(distances, 0.99);
+  for (std::size_t p = 0; p < std::size(kPowers); ++p) {
+    double squares = 0;
+    for (const double value : replicates_of(samples.bin_count() + p)) {
+      squares += std::pow(value - averages.moments[p], 2);
+    }
+    result.moment_errors.push_back(std::sqrt(squares / kReplicates));
+  }
+  return result;
+}
+
+void add_variable(const VariableSamples& samples, const VariableAverages& averages,
+                  const SamplingErrorsOfVariable& errors, Solution& solution) {
+  const bool of_y = samples.variable == StateVariable::y;
+  transform::Marginal marginal{samples.edges, {}, {}, {}};
+  for (std::size_t b = 0; b < samples.bin_count(); ++b) {
+    marginal.density.push_back(averages.fractions[b] / samples.bin_width(b));
+    marginal.lower.push_back(errors.lower[b] / samples.bin_width(b));
+    marginal.upper.push_back(errors.upper[b] / samples.bin_width(b));
+  }
+  solution.estimated_marginals.emplace_back(samples.variable, std::move(marginal));
+  auto& sampling = solution.sampling ? *solution.sampling : solution.sampling.emplace();
+  (of_y ? sampling.y : sampling.ydot) = errors.l1.expected;
+  (of_y ? sampling.y_99 : sampling.ydot_99) = errors.l1.quantile_99;
+  for (std::size_t p = 0; p < std::size(kPowers); ++p) {
+    const auto moment = transform::kMoments[p + (of_y ? 0 : std::size(kPowers))].moment;
+    solution.moments.*moment = averages.moments[p];
+    solution.standard_errors->moments.*moment = errors.moment_errors[p];
+  }
+}
+
+void add_joint_density(const VariableSamples& y, const VariableSamples& v, Solution& solution) {
+  transform::GridDensity grid{y.edges, v.edges, {}};
+  grid.averages.assign(grid.y_cell_count() * grid.v_cell_count(), 0.0);
+  const double each = 1 / static_cast<double>(y.bins.size());
+  for (std::size_t k = 0; k < y.bins.size(); ++k) {
+    if (!y.bins[k] || !v.bins[k]) continue;
+    const std::size_t i = *y.bins[k], j = *v.bins[k];
+    solution.mass += each;
+    grid.averages[i * grid.v_cell_count() + j] += each / (y.bin_width(i) * v.bin_width(j));
+  }
+  solution.density = std::move(grid);
 }
 
 Solution samples_solution(const StateSamples& samples, const problem::Problem& problem,
@@ -95,73 +233,93 @@ Solution samples_solution(const StateSamples& samples, const problem::Problem& p
   Solution solution;
   solution.status = Status::ok;
   solution.energy_residual = kUnknown;
-  solution.standard_errors.emplace().energy_residual = kUnknown;
-  transform::GridDensity grid{axes.y_edges, axes.v_edges, {}};
-  grid.averages.assign(grid.y_cell_count() * grid.v_cell_count(), 0.0);
-  const double n = static_cast<double>(samples.size()), each = 1 / n;
-  const StateSamples value_from_count = without_samples_at_rest(samples, problem);
-  for (std::size_t k = 0; k < value_from_count.size(); ++k) {
-    const auto i = bin_index(grid.y_edges, value_from_count.y[k]),
-               j = bin_index(grid.v_edges, value_from_count.v[k]);
-    if (!i || !j) continue;
-    solution.mass += each;
-    grid.averages[*i * grid.v_cell_count() + *j] +=
-        each /
-        ((grid.y_edges[*i + 1] - grid.y_edges[*i]) * (grid.v_edges[*j + 1] - grid.v_edges[*j]));
+  solution.moments = {kUnknown, kUnknown, kUnknown, kUnknown, kUnknown, kUnknown};
+  solution.standard_errors.emplace();
+  solution.standard_errors->energy_residual = kUnknown;
+  solution.standard_errors->moments = solution.moments;
+  transform::SolverMetricsBuilder metrics;
+  metrics.add_diagnostic_metric("samples", transform::value_from_count(samples.size()));
+  std::size_t block_count = 0;
+  if (samples.is_time_series) {
+    const BlockDivision division = divide_into_blocks(samples);
+    block_count = division.block_count;
+    metrics.add_diagnostic_metric("blocks", transform::value_from_count(block_count));
+    if (!division.is_reliable) {
+      solution.status = Status::inaccurate;
+      solution.reason = fmt::format(
+          "the time series of {} samples is too short for its correlations, so that its sampling "
+          "errors are unknown; record longer",
+          samples.size());
+    }
+  } else {
+    metrics.add_diagnostic_metric("independent", samples.independent);
   }
-  solution.density = std::move(grid);
-  add_marginal(axes.y_edges, value_from_count.y, n, samples.independent, StateVariable::y,
-               solution);
-  add_marginal(axes.v_edges, value_from_count.v, n, samples.independent, StateVariable::ydot,
-               solution);
-  set_moments(samples, solution);
-  transform::SolverMetricsBuilder builder;
-  builder.add_diagnostic_metric("samples", transform::value_from_count(samples.size()))
-      .add_diagnostic_metric("independent", samples.independent);
-  add_rest_atom_note(problem, builder);
-  solution.metrics = builder.take_metrics();
+  const auto variables = assign_bins(samples, problem, axes);
+  double fraction_in_bins = 0;
+  for (const auto& variable : variables) {
+    const VariableAverages averages = average_samples(variable, 0, samples.size());
+    fraction_in_bins = std::accumulate(averages.fractions.begin(), averages.fractions.end(), 0.0);
+    add_variable(variable, averages,
+                 samples.is_time_series
+                     ? errors_of_time_series(variable, averages, block_count)
+                     : errors_of_independent_samples(variable, averages, samples.independent),
+                 solution);
+  }
+  if (variables.size() == 2) {
+    add_joint_density(variables[0], variables[1], solution);
+  } else {
+    solution.mass = fraction_in_bins;
+  }
+  add_rest_atom_note(problem, metrics);
+  solution.metrics = metrics.take_metrics();
   return solution;
+}
+
+void require_valid_samples(const StateSamples& samples, const std::string& label) {
+  constexpr std::size_t kMinSamples = 100;
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(fmt::format("samples '{}': {}", label, why));
+  };
+  const auto &y = samples.y, &v = samples.v;
+  if (!v.empty() && y.size() != v.size())
+    refuse(fmt::format("{} of y and {} of y' (must be equal)", y.size(), v.size()));
+  if (y.size() < kMinSamples)
+    refuse(fmt::format("{} samples (must be at least {})", y.size(), kMinSamples));
+  for (std::size_t k = 0; k < y.size(); ++k) {
+    if (!std::isfinite(y[k]) || (!v.empty() && !std::isfinite(v[k]))) {
+      refuse(v.empty() ? fmt::format("y = {:.4g} (must be finite)", y[k])
+                       : fmt::format("y = {:.4g}, y' = {:.4g} (must be finite)", y[k], v[k]));
+    }
+  }
+  if (!(samples.independent >= 0 && samples.independent <= static_cast<double>(y.size()))) {
+    refuse(fmt::format("independent = {:g} (must be 0 .. {}, the number of samples)",
+                       samples.independent, y.size()));
+  }
 }
 
 }  // namespace
 
-Method make_method_from_samples(const ExternalDensity& external, std::span<const double> y,
-                                std::span<const double> v, double independent) {
-  constexpr std::size_t kMinSamples = 100;
-  const auto refuse = [label = external.label](const std::string& why) {
-    throw InputError(fmt::format("samples '{}': {}", label, why));
-  };
-  if (y.size() != v.size())
-    refuse(fmt::format("{} of y and {} of y' (must be equal)", y.size(), v.size()));
-  if (y.size() < kMinSamples)
-    refuse(fmt::format("{} pairs (must be at least {})", y.size(), kMinSamples));
-  for (std::size_t k = 0; k < y.size(); ++k) {
-    if (!std::isfinite(y[k]) || !std::isfinite(v[k])) {
-      refuse(fmt::format("y = {:.4g}, y' = {:.4g} (must be finite)", y[k], v[k]));
-    }
-  }
-  const auto all = static_cast<double>(y.size());
-  if (!(independent >= 0 && independent <= all)) {
-    refuse(fmt::format("independent = {:g} (must be 0 .. {}, the number of samples)", independent,
-                       y.size()));
-  }
-  auto samples = std::make_shared<const StateSamples>(StateSamples{
-      {y.begin(), y.end()}, {v.begin(), v.end()}, independent > 0 ? independent : all});
-  return {.identity = make_external_density_identity(external, transform::kExternalFunction,
-                                                     "given as samples"),
-          .solve =
-              [samples](const problem::Problem& problem, const SolverInputContext& context) {
-                return samples_solution(*samples, problem, context.axes);
-              },
-          .check =
-              [samples, refuse](const problem::Problem& problem) {
-                const problem::Walls walls = problem.system.walls();
-                for (std::size_t k = 0; k < samples->size(); ++k) {
-                  if (is_between_walls(walls, samples->y[k])) continue;
-                  refuse(fmt::format("y = {:.4g}, y' = {:.4g} (must be {})", samples->y[k],
-                                     samples->v[k], admissible_range_text(walls)));
-                }
-              }};
+Method make_method_from_samples(const ExternalDensity& external, std::string_view method,
+                                StateSamples samples) {
+  require_valid_samples(samples, external.label);
+  if (samples.independent == 0) samples.independent = static_cast<double>(samples.size());
+  const auto shared = std::make_shared<const StateSamples>(std::move(samples));
+  return {
+      .identity = make_external_density_identity(
+          external, method, shared->is_time_series ? "given as a time series" : "given as samples"),
+      .solve =
+          [shared](const problem::Problem& problem, const SolverInputContext& context) {
+            return samples_solution(*shared, problem, context.axes);
+          },
+      .check =
+          [shared, label = external.label](const problem::Problem& problem) {
+            const problem::Walls walls = problem.system.walls();
+            for (const double y : shared->y) {
+              if (is_between_walls(walls, y)) continue;
+              throw InputError(fmt::format("samples '{}': y = {:.4g} (must be {})", label, y,
+                                           admissible_range_text(walls)));
+            }
+          }};
 }
 
 }  // namespace fpkcheck::methods

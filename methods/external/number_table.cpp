@@ -94,7 +94,10 @@ void NumberTable::throw_row_error(std::size_t row, const std::string& problem) c
   throw InputError(fmt::format("{}:{}: {}", base::to_printable_text(source), lines[row], problem));
 }
 
-NumberTable read_number_table(std::istream& in, const std::string& source) {
+NumberTable read_number_table(std::istream& in, const std::string& source,
+                              NumberTableContent content) {
+  const bool has_samples = content == NumberTableContent::samples;
+  const std::size_t min_columns = has_samples ? 1 : 2;
   NumberTable table{source, {}, {}, {}};
   std::vector<std::string> comment;
   int line_number = 0;
@@ -142,9 +145,9 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
                                   name_of_separator(first_separator)));
     }
     const std::size_t columns = table.rows.empty() ? row.size() : table.column_count();
-    if (columns < 2 || columns > 3) {
-      throw_row_error(
-          fmt::format("{} column{} (must be two or three)", columns, columns == 1 ? "" : "s"));
+    if (columns < min_columns || columns > 3) {
+      throw_row_error(fmt::format("{} column{} (must be {} to 3)", columns, columns == 1 ? "" : "s",
+                                  min_columns));
     }
     if (row.size() != columns) {
       throw_row_error(
@@ -152,17 +155,19 @@ NumberTable read_number_table(std::istream& in, const std::string& source) {
     }
     if (table.rows.empty()) {
       const auto names = to_lower_case(table.names.empty() ? comment : table.names);
-      max_rows = velocity_column_index(names) < names.size() ? kMaxGridRows : kMaxRows;
+      const bool is_joint = velocity_column_index(names) < names.size();
+      max_rows = is_joint || has_samples ? kMaxGridRows : kMaxRows;
     }
     if (table.rows.size() == max_rows) {
-      throw_row_error(fmt::format("more than {} rows; give a coarser density", max_rows));
+      throw_row_error(fmt::format("more than {} rows; give {}", max_rows,
+                                  has_samples ? "fewer samples" : "a coarser density"));
     }
     table.rows.push_back(std::move(row));
     table.lines.push_back(line_number);
   }
   if (table.rows.empty()) {
-    throw InputError(fmt::format("{}: no numbers (must be two or three columns)",
-                                 base::to_printable_text(source)));
+    throw InputError(fmt::format("{}: no numbers (must be {} to 3 columns)",
+                                 base::to_printable_text(source), min_columns));
   }
   if (table.names.empty() && comment.size() == table.column_count())
     table.names = to_lower_case(comment);

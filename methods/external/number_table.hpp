@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/options/enum_names.hpp"
+#include "methods/external/external_samples.hpp"
 #include "transform/marginal_density.hpp"
 
 namespace fpkcheck::methods {
@@ -30,9 +31,20 @@ struct NumberTable {
 /// numbers divided by the narrowest bin width are finite.
 inline constexpr double kMaxMagnitude = 1e60;
 
+enum class NumberTableContent { density, samples };
+
+/// A density has two or three columns. Samples have one to three columns, and as many rows as a
+/// joint density.
 /// @param source name of the file, for messages
 /// @throws InputError with a message of one line that states the source and the line number
-NumberTable read_number_table(std::istream& in, const std::string& source);
+NumberTable read_number_table(std::istream& in, const std::string& source,
+                              NumberTableContent content = NumberTableContent::density);
+
+/// Returns the samples of a table with the columns y; y, y'; or t, y, y', in any order if the
+/// columns have names.
+/// @throws InputError if no column has the name of a displacement, a name is unknown, or the times
+/// are not equidistant within 1 % of their interval
+StateSamples samples_from_table(const NumberTable& table);
 
 /// The quantity in the third column of a histogram.
 enum class HistogramQuantity { density, probability, count };

@@ -205,11 +205,15 @@ methods::Method function_method(const problem::Problem& problem, const Array& va
 
 methods::Method samples_method(const Array& y, const Array& v, const std::string& label,
                                std::optional<std::string> equation, const std::string& impact,
-                               std::optional<int> order, double independent, std::size_t index) {
-  const auto external = external_density(label, equation, impact, order, index);
-  return methods::make_method_from_samples(external, {y.data(), static_cast<std::size_t>(y.size())},
-                                           {v.data(), static_cast<std::size_t>(v.size())},
-                                           independent);
+                               std::optional<int> order, double independent, bool is_time_series,
+                               bool is_reference, std::size_t index) {
+  auto external = external_density(label, equation, impact, order, index);
+  external.is_reference = is_reference;
+  return methods::make_method_from_samples(external, transform::kExternalFunction,
+                                           {.y = {y.data(), y.data() + y.size()},
+                                            .v = {v.data(), v.data() + v.size()},
+                                            .is_time_series = is_time_series,
+                                            .independent = independent});
 }
 
 void bind_methods(py::module_& module) {
@@ -239,7 +243,7 @@ void bind_methods(py::module_& module) {
              py::arg("normalise"), py::arg("accuracy"), py::arg("place"));
   module.def("samples_method", samples_method, py::arg("y"), py::arg("v"), py::arg("label"),
              py::arg("equation"), py::arg("impact"), py::arg("order"), py::arg("independent"),
-             py::arg("place"));
+             py::arg("series"), py::arg("reference"), py::arg("place"));
   module.def(
       "file_methods", [](const std::vector<std::string>& arguments, const std::string& case_name) {
         return methods::external_density_methods_from_files(arguments, registry(), case_name);

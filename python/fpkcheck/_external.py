@@ -86,12 +86,12 @@ class Density:
 
 @dataclass(frozen=True)
 class Samples:
-    """An external density, given as samples of (y, y') or as a sampler.
+    """An external density, given as samples of (y, y') or of y, or as a sampler.
 
     Parameters
     ----------
-    source : array of shape (n, 2), or callable
-        Array with y and y' of each sample; or a function ``sampler(rng, n)`` that returns such an array, where
+    source : array of shape (n, 2) or (n,), or callable
+        Array with y and y' of each sample, or with y alone; or a function ``sampler(rng, n)`` that returns such an array, where
         ``rng`` is a `numpy.random.Generator`.
     equation, impact, order
         The equation, impact condition and order of the closure, as in `Density`. Samples have sampling errors, but no
@@ -102,7 +102,12 @@ class Samples:
         Seed of the random number generator for the sampler.
     independent : float, optional
         Effective number of independent samples, from which the sampling errors are computed. The default is the
-        number of samples. Samples along a trajectory are correlated: their effective number is smaller.
+        number of samples.
+    series : bool
+        Whether the samples are successive states of one trajectory at equal time intervals. A block bootstrap then
+        computes the sampling errors of the correlated samples.
+    reference : bool
+        Whether the density of the samples is the reference of the comparison.
     """
 
     source: Union[Sampler, Array, Any]
@@ -112,15 +117,26 @@ class Samples:
     seed: int = 1
     independent: float | None = None
     order: int | None = None
+    series: bool = False
+    reference: bool = False
 
     def _method(self, label: str, problem: _fpkcheck.Problem, place: int) -> _fpkcheck.Method:
         drawn = self.source(np.random.default_rng(self.seed), self.n) if callable(self.source) else self.source
         samples = np.asarray(drawn, dtype=float)
-        if samples.ndim != 2 or samples.shape[1] != 2:
-            raise ValueError(f"samples '{label}': shape {samples.shape} (must be (n, 2): y and y')")
-        y, v = np.ascontiguousarray(samples.T)
+        if samples.ndim != 1 and (samples.ndim != 2 or samples.shape[1] != 2):
+            raise ValueError(f"samples '{label}': shape {samples.shape} (must be (n, 2): y and y'; or (n,): y)")
+        y, v = (samples, samples[:0]) if samples.ndim == 1 else np.ascontiguousarray(samples.T)
         return _fpkcheck.samples_method(
-            y, v, label, self.equation, self.impact, self.order, self.independent or 0, place
+            y,
+            v,
+            label,
+            self.equation,
+            self.impact,
+            self.order,
+            self.independent or 0,
+            self.series,
+            self.reference,
+            place,
         )
 
 
@@ -147,10 +163,12 @@ class File:
     order: int | None = None
     solution: str | None = None
     case: str | None = None
+    samples: str | None = None
+    role: str | None = None
 
     def _argument(self, label: str) -> str:
         """The argument of the option `--against` of `fpkcheck run` for this file."""
-        said = {key: getattr(self, key) for key in ("equation", "impact", "order", "solution", "case")}
+        said = {key: getattr(self, key) for key in ("equation", "impact", "order", "solution", "case", "samples", "role")}
         settings = "".join(f",{key}={value}" for key, value in said.items() if value is not None)
         return f"{os.fspath(self.path)}:{label}{settings}"
 

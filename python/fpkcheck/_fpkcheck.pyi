@@ -59,6 +59,8 @@ def samples_method(
     impact: str,
     order: int | None,
     independent: float,
+    series: bool,
+    reference: bool,
     place: int,
 ) -> Method: ...
 def file_methods(arguments: list[str], case_name: str) -> list[Method]: ...

@@ -98,8 +98,13 @@ bool is_paper_closure(const SolutionAgreementOverCases& row) {
          row.identity->impact == problem::ImpactCondition::delta;
 }
 
+bool is_reference_chosen_by_user(const SolutionAgreementOverCases& row) {
+  return row.identity->role == SolutionRole::measurement;
+}
+
 bool is_single_external_density(const SolutionAgreementOverCases& row) {
-  return transform::is_external(*row.identity) && !differs_by_order_in_family(row);
+  return transform::is_external(*row.identity) && !differs_by_order_in_family(row) &&
+         !is_reference_chosen_by_user(row);
 }
 
 // Returns whether a row is that of an approximate density without an order, such as statistical
@@ -232,10 +237,13 @@ Words recommendation_sentences(const RunAssessment& assessed, int cases) {
         "--methods fd,mcs.",
         case_count_text(cases - judged, cases))};
   }
-  Words sentences{fmt::format(
-      "For reference values use {}, the solution of the full problem (all jumps, exact impact) "
-      "with the smallest error estimate; {}.",
-      solution_ids_text(assessed.references), confirmation_text(assessed, cases))};
+  Words sentences;
+  if (std::ranges::none_of(assessed.rows, is_reference_chosen_by_user)) {
+    sentences.push_back(fmt::format(
+        "For reference values use {}, the solution of the full problem (all jumps, exact impact) "
+        "with the smallest error estimate; {}.",
+        solution_ids_text(assessed.references), confirmation_text(assessed, cases)));
+  }
   Words parts;
   const SolutionAgreementOverCases* last = nullptr;
   for (const double accuracy : {0.01, 0.001}) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <random>
 
 #include "exact/closed_forms.hpp"
@@ -37,6 +38,9 @@ class ExternalDensities : public testing::Test {
       for (const double v : points_.v_points()) values.push_back(p(y, v));
     }
     return make_method_from_density_values(own, how, points_, values);
+  }
+  Method of_samples(const ExternalDensity& own, StateSamples samples) {
+    return make_method_from_samples(own, transform::kExternalFunction, std::move(samples));
   }
   transform::Solution solved(const Method& method) {
     return solve_with_method(method, problem_, {axes_, {}});
@@ -113,12 +117,11 @@ TEST_F(ExternalDensities, AreRefusedIfInvalid) {
                        "2 values (must be 601 x 600)"));
   const std::vector<double> few(99, 1), many(100, 1), behind(100, -1), other(101, 1);
   const auto samples = [&](const auto& y, const auto& v, double independent = 0) {
-    return refusal(
-        [&] { make_method_from_samples({.label = "a"}, y, v, independent).check(problem_); });
+    return refusal([&] { of_samples({.label = "a"}, {y, v, false, independent}).check(problem_); });
   };
-  EXPECT_EQ(samples(few, few), "samples 'a': 99 pairs (must be at least 100)");
+  EXPECT_EQ(samples(few, few), "samples 'a': 99 samples (must be at least 100)");
   EXPECT_EQ(samples(many, other), "samples 'a': 100 of y and 101 of y' (must be equal)");
-  EXPECT_TRUE(contains(samples(behind, many), "y = -1, y' = 1 (must be y >= 0)"));
+  EXPECT_TRUE(contains(samples(behind, many), "y = -1 (must be y >= 0)"));
   EXPECT_TRUE(contains(samples(many, many, 101), "independent = 101 (must be 0 .. 100"));
   EXPECT_EQ(samples(many, many, 100), "accepted");
   const auto all = builtin_registry();
@@ -141,8 +144,8 @@ TEST_F(ExternalDensities, SamplesEstimateTheirSamplingError) {
     y.push_back(std::abs(normal(engine)));
     v.push_back(normal(engine));
   }
-  const auto drawn = solved(
-      make_method_from_samples({.label = "drawn", .equation = DensityEquation::white}, y, v));
+  const auto drawn =
+      solved(of_samples({.label = "drawn", .equation = DensityEquation::white}, {y, v}));
   const auto exact = solved(of([](double a, double b) { return std::exp(-a * a - b * b); }));
   for (const auto variable : transform::kVariables) {
     const auto& edges = compare::comparison_bin_edges(axes_, variable);
@@ -156,9 +159,85 @@ TEST_F(ExternalDensities, SamplesEstimateTheirSamplingError) {
   EXPECT_NEAR(drawn.moments.v2, 0.5, 4 * drawn.standard_errors->moments.v2);
   EXPECT_NEAR(drawn.standard_errors->moments.v2, 0.5 * std::sqrt(2.0 / kSamples), 1e-4);
   // A quarter as many independent samples double the errors.
-  const auto fewer = solved(make_method_from_samples({.label = "a"}, y, v, kSamples / 4.0));
+  const auto fewer = solved(of_samples({.label = "a"}, {y, v, false, kSamples / 4.0}));
   EXPECT_NEAR(fewer.sampling->y.value() / drawn.sampling->y.value(), 2, 1e-9);
   EXPECT_NEAR(fewer.standard_errors->moments.y1 / drawn.standard_errors->moments.y1, 2, 1e-9);
+}
+
+// An autoregressive sequence x_{k+1} = rho x_k + .. has the standard deviation 1 and the
+// correlation time 1 / (1 - rho) samples.
+std::vector<double> autoregressive_sequence(double rho, int count, std::mt19937_64& engine) {
+  std::normal_distribution<double> normal;
+  std::vector<double> sequence{normal(engine)};
+  for (int k = 1; k < count; ++k) {
+    sequence.push_back(rho * sequence.back() + std::sqrt(1 - rho * rho) * normal(engine));
+  }
+  return sequence;
+}
+
+// The folded normal law |x| is the exact law of the samples. Intervals from independent samples
+// would cover the exact probabilities in less than half of the bins.
+TEST_F(ExternalDensities, TimeSeriesEstimateTheirSamplingError) {
+  constexpr int kSeries = 40, kSamples = 5'000;
+  std::mt19937_64 engine(5);
+  int covered = 0, bins = 0;
+  double distance = 0, expected = 0, above_quantile = 0, squared_moment_errors = 0;
+  for (int series = 0; series < kSeries; ++series) {
+    std::vector<double> y = autoregressive_sequence(0.9, kSamples, engine);
+    for (double& value : y) value = std::abs(value);
+    const auto solution =
+        solved(of_samples({.label = "a"}, {.y = y, .v = {}, .is_time_series = true}));
+    EXPECT_EQ(solution.status, Status::ok);
+    EXPECT_FALSE(solution.density);
+    EXPECT_TRUE(std::isnan(solution.moments.v2));
+    const auto found = marginal(solution, StateVariable::y, axes_.y_edges);
+    double l1 = 0;
+    for (std::size_t b = 0; b < found.size(); ++b) {
+      const double width = axes_.y_edges[b + 1] - axes_.y_edges[b];
+      const double exact = (std::erf(axes_.y_edges[b + 1] / std::numbers::sqrt2) -
+                            std::erf(axes_.y_edges[b] / std::numbers::sqrt2)) /
+                           width;
+      l1 += std::abs(found.density[b] - exact) * width;
+      if (exact * width * kSamples < 100) continue;
+      ++bins;
+      covered += found.lower[b] <= exact && exact <= found.upper[b];
+    }
+    distance += l1 / kSeries;
+    expected += solution.sampling->y.value() / kSeries;
+    above_quantile += l1 > solution.sampling->y_99.value();
+    squared_moment_errors +=
+        std::pow((solution.moments.y2 - 1) / solution.standard_errors->moments.y2, 2) / kSeries;
+  }
+  EXPECT_NEAR(static_cast<double>(covered) / bins, 0.95, 0.03);
+  EXPECT_NEAR(distance / expected, 1, 0.15);
+  EXPECT_LE(above_quantile, 3);
+  // Blocks of finite length underestimate the variance by about 10 %.
+  EXPECT_NEAR(squared_moment_errors, 1.1, 3 * std::sqrt(2.0 / kSeries));
+}
+
+TEST_F(ExternalDensities, TimeSeriesShorterThanTheirCorrelationsAreInaccurate) {
+  std::mt19937_64 engine(5);
+  std::vector<double> y = autoregressive_sequence(0.99, 500, engine);
+  for (double& value : y) value = std::abs(value);
+  const auto solution =
+      solved(of_samples({.label = "a"}, {.y = y, .v = {}, .is_time_series = true}));
+  EXPECT_EQ(solution.status, Status::inaccurate);
+  EXPECT_TRUE(contains(solution.reason, "record longer"));
+}
+
+TEST_F(ExternalDensities, AreTheReferenceOnRequest) {
+  std::mt19937_64 engine(5);
+  std::vector<double> y = autoregressive_sequence(0, 1000, engine);
+  for (double& value : y) value = std::abs(value);
+  auto methods = builtin_registry().methods_selected_by_list("fd-kf", {});
+  methods.push_back(of_samples({.label = "lab", .is_reference = true}, {.y = y, .v = {}}));
+  const auto one = run_cases({problem_}, methods, 0, {}).front();
+  EXPECT_EQ(one.assessment.reference, "lab");
+  EXPECT_TRUE(one.assessment.is_reference_chosen_by_user);
+  const auto* fd = one.assessment.find_solution_assessment("fd-kf");
+  ASSERT_NE(fd, nullptr);
+  EXPECT_TRUE(fd->y);
+  EXPECT_FALSE(fd->ydot);
 }
 
 }  // namespace

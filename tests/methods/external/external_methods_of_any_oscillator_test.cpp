@@ -329,9 +329,9 @@ TEST_F(FilesOfAnyOscillator, AreRefusedBehindAWall) {
   EXPECT_TRUE(contains(refusal([&] { of(joint_of(bistable(), -2.5, 2.5), two_walls()); }),
                        "(must be -0.5 <= y <= 1)"));
   const std::vector<double> y(200, -0.6), v(200, 0.1);
-  const auto samples = make_method_from_samples({.label = "a"}, y, v);
-  EXPECT_EQ(refusal([&] { samples.check(gap()); }),
-            "samples 'a': y = -0.6, y' = 0.1 (must be y >= -0.5)");
+  const auto samples =
+      make_method_from_samples({.label = "a"}, transform::kExternalFunction, {y, v});
+  EXPECT_EQ(refusal([&] { samples.check(gap()); }), "samples 'a': y = -0.6 (must be y >= -0.5)");
   EXPECT_EQ(refusal([&] { samples.check(bistable()); }), "accepted");
 }
 
@@ -368,7 +368,8 @@ TEST(ExternalMethodsOfAnyOscillator, NoteTheMissingMassAtRest) {
     y[k] = k < 250 ? 0 : 0.001 * static_cast<double>(k);
     v[k] = k < 250 ? 0 : 0.3;
   }
-  const auto own = solved(make_method_from_samples({.label = "a"}, y, v), pressed);
+  const auto own = solved(
+      make_method_from_samples({.label = "a"}, transform::kExternalFunction, {y, v}), pressed);
   EXPECT_NEAR(own.mass, 0.75, 1e-12);
   EXPECT_EQ(own.estimated_marginals.front().second.density[0], 0);
   EXPECT_TRUE(
@@ -376,7 +377,8 @@ TEST(ExternalMethodsOfAnyOscillator, NoteTheMissingMassAtRest) {
   // Under white noise no mass is at rest.
   Problem lifted = pressed;
   lifted.noise.intensity = 0.1;
-  const auto all = solved(make_method_from_samples({.label = "a"}, y, v), lifted);
+  const auto all = solved(
+      make_method_from_samples({.label = "a"}, transform::kExternalFunction, {y, v}), lifted);
   EXPECT_NEAR(all.mass, 1, 1e-12);
   EXPECT_FALSE(transform::metric_text(all.metrics, "notes[0]"));
 }
