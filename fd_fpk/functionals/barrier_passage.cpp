@@ -116,6 +116,14 @@ PassageResultOnGrid barrier_passage_on_grid(const DisplacementPassageProblem& pa
                                             const base::Deadline& deadline) {
   PassageResultOnGrid result;
   FunctionalValuesOnGrid& level = result.values_on_grid;
+  const BackwardEquationExcitation excitation =
+      BackwardEquationExcitation::of_equation(passage.problem, passage.options.equation);
+  const BarrierGrid grid = make_barrier_grid(passage, excitation, refinement);
+  level.nx = grid.displacement_count();
+  level.nv = grid.velocity_count();
+  // The matrix itself contains dense blocks of the impulses and may need much memory.
+  level.failure = ShiftedLinearSystem::large_factors_reason(grid.size(), level.nv, kDefaultOrder);
+  if (!level.failure.empty()) return result;
   const DirectStationarySolution stationary =
       compute_direct_solution(passage.problem, {.scales = passage.scales, .box = passage.box},
                               with_refined_cells(passage.options, refinement), deadline);
@@ -125,11 +133,6 @@ PassageResultOnGrid barrier_passage_on_grid(const DisplacementPassageProblem& pa
                         : stationary.failure;
     return result;
   }
-  const BackwardEquationExcitation excitation =
-      BackwardEquationExcitation::of_equation(passage.problem, passage.options.equation);
-  const BarrierGrid grid = make_barrier_grid(passage, excitation, refinement);
-  level.nx = grid.displacement_count();
-  level.nv = grid.velocity_count();
   const DensityInterpolation density(stationary.discretisation.grid, *stationary.averages);
   PassageInitialConditions starts{.from_stationary = grid.integration_weights(),
                                   .waiting_rate = passage.waiting_rate};

@@ -121,6 +121,12 @@ PassageResultOnGrid energy_passage_on_grid(const EnergyPassageProblem& passage, 
                                            const base::Deadline& deadline) {
   PassageResultOnGrid result;
   FunctionalValuesOnGrid& level = result.values_on_grid;
+  const EnergyLevelGrid grid = make_energy_level_grid(passage, refinement);
+  level.nx = grid.displacement_count();
+  level.nv = grid.velocity_count();
+  // The matrix itself contains dense blocks of the impulses and may need much memory.
+  level.failure = ShiftedLinearSystem::large_factors_reason(grid.size(), level.nv, kDefaultOrder);
+  if (!level.failure.empty()) return result;
   const DirectStationarySolution stationary =
       compute_direct_solution(passage.problem, passage.scales_and_box,
                               with_refined_cells(passage.options, refinement), deadline);
@@ -130,9 +136,6 @@ PassageResultOnGrid energy_passage_on_grid(const EnergyPassageProblem& passage, 
                         : stationary.failure;
     return result;
   }
-  const EnergyLevelGrid grid = make_energy_level_grid(passage, refinement);
-  level.nx = grid.displacement_count();
-  level.nv = grid.velocity_count();
   const DensityInterpolation density(stationary.discretisation.grid, *stationary.averages);
   PassageInitialConditions starts{.from_stationary = grid.integration_weights()};
   for (int i = 0; i < level.nx; ++i) {

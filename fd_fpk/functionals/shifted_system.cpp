@@ -4,27 +4,34 @@
 
 namespace fpkcheck::fd_fpk {
 
-ShiftedLinearSystem::ShiftedLinearSystem(const FokkerPlanckOperator& op,
-                                         Preconditioner* preconditioner, int nv, int order,
-                                         double shift, OperatorTransposition transposed)
-    : op_(op), preconditioner_(preconditioner), shift_(shift), transposed_(transposed) {
+std::string ShiftedLinearSystem::large_factors_reason(Eigen::Index size, int nv, int order) {
   // Largest number of elements of the factors, 400 MB. With factors `fpkcheck spectrum case1
   // --methods fd-kf` takes 3.6 s instead of 6.6 s.
   constexpr double kMostElements = 5e7;
   // One-sided stencils at a wall reach order - 1 cells; all other stencils reach about half as many
   // cells.
   const int reach = (order + 2) / 2;
-  const auto size = static_cast<double>(op.areas.size());
-  if (numerics::BlockBandedLu::factor_element_count(size, nv, reach) <= kMostElements) {
+  const double elements =
+      numerics::BlockBandedLu::factor_element_count(static_cast<double>(size), nv, reach);
+  return elements <= kMostElements
+             ? ""
+             : "the factors of the matrix need too much memory; use fewer cells";
+}
+
+ShiftedLinearSystem::ShiftedLinearSystem(const FokkerPlanckOperator& op,
+                                         Preconditioner* preconditioner, int nv, int order,
+                                         double shift, OperatorTransposition transposed)
+    : op_(op), preconditioner_(preconditioner), shift_(shift), transposed_(transposed) {
+  failure_ = large_factors_reason(op.areas.size(), nv, order);
+  if (failure_.empty()) {
     factors_.emplace(scale_and_shift_matrix(-1, op.assembled_matrix(), shift), nv);
     if (factors_->is_finite()) return;
     factors_.reset();
+    failure_ = "the factors of the matrix are not finite; use other cells";
   }
-  if (preconditioner == nullptr) {
-    failure_ = "the factors of the matrix need too much memory; use fewer cells";
-  } else if (!preconditioner->factorise_newton_matrix(1 / shift)) {
-    failure_ = preconditioner->failure_reason();
-  }
+  if (preconditioner == nullptr) return;
+  failure_ =
+      preconditioner->factorise_newton_matrix(1 / shift) ? "" : preconditioner->failure_reason();
 }
 
 std::optional<Eigen::VectorXd> ShiftedLinearSystem::solve(const Eigen::VectorXd& right_hand_side,

@@ -27,6 +27,11 @@ class ShiftedLinearSystem {
                       int order, double shift,
                       OperatorTransposition transposed = OperatorTransposition::no);
 
+  /// Returns why the factors of a matrix would need too much memory; empty if the constructor
+  /// factors the matrix.
+  /// @param size number of rows of the matrix
+  static std::string large_factors_reason(Eigen::Index size, int nv, int order);
+
   double resolvent_shift() const { return shift_; }
   const FokkerPlanckOperator& operator_without_shift() const { return op_; }
   /// Returns the factors of s - L; null if GMRES solves the systems.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "exact/random_acceleration.hpp"
+#include "fd_fpk/functionals/barrier_passage.hpp"
 #include "fd_fpk/operator/marginals_and_moments.hpp"
 #include "fd_fpk/operator/phase_plane_discretisation.hpp"
 #include "general_oscillators.hpp"
@@ -154,6 +155,30 @@ TEST(Passage, UsesTheImpactConditionOfTheMethod) {
   EXPECT_GT(std::abs(first_order.hazard->value / exact.hazard->value - 1), 0.02);
   EXPECT_EQ(solve_passage(p, options, {.level = 1, .lower_level = 0.5}, {1}).status,
             Status::not_offered);
+}
+
+// The matrix of 240 x 360 nodes would have 3e7 elements. With an expired deadline the stationary
+// density, which the solver computes before the matrix, gives another reason.
+TEST(PassageOfTwoBarriers, RefusesALargeGridBeforeAnyComputation) {
+  const problem::Problem p =
+      tests::with_impulses(problem::System({.damping = 0.1, .stiffness = 1}, {.none = true}),
+                           tests::gaussian_impulses(2, 0.4));
+  const problem::MotionScales scales = problem::motion_scales(p);
+  const FiniteVolumeOptions options;
+  const DisplacementPassageProblem passage{.problem = p,
+                                           .options = options,
+                                           .scales = scales,
+                                           .barrier = 1,
+                                           .lower_barrier = -1,
+                                           .start = {},
+                                           .waiting_rate = 0,
+                                           .box = {.x1_max = 6, .x2_max = 6, .x1_min = -6}};
+  const base::Deadline expired(1e-9);
+  const auto failure_on_grid = [&](double refinement) {
+    return barrier_passage_on_grid(passage, refinement, {1}, expired).values_on_grid.failure;
+  };
+  EXPECT_NE(failure_on_grid(3).find("memory"), std::string::npos) << failure_on_grid(3);
+  EXPECT_NE(failure_on_grid(1).find("max_seconds"), std::string::npos) << failure_on_grid(1);
 }
 
 // Noise ends the rest at once. The simulation (mcs-white) gives 0.2790 +- 0.0004 for the start at
