@@ -15,6 +15,7 @@
 #include "mcs/applicability.hpp"
 #include "mcs/estimate/kick_interval_error.hpp"
 #include "mcs/passage/level_crossings.hpp"
+#include "mcs/passage/probability_estimate.hpp"
 #include "mcs/passage/rare_passages.hpp"
 #include "mcs/simulation/simulation.hpp"
 #include "mcs/simulation/simulation_plan.hpp"
@@ -335,6 +336,24 @@ class StaySimulation {
   std::vector<BelowBarrierSojournCounter> counters_;
 };
 
+// Returns the number of passages that count as independent: the time below the barrier in units of
+// the mean passage time, since passages come in clumps.
+double independent_passage_count(const std::vector<BelowBarrierSojournSums>& streams) {
+  double length = 0, square = 0;
+  for (const BelowBarrierSojournSums& s : streams) {
+    length += s.length;
+    square += s.square;
+  }
+  return length * length / (square / 2);
+}
+
+// Returns the standard error of a probability below two hits among `passages` independent passages:
+// the standard error for no hit. The differences between the streams show only hits.
+double least_error_of_probability(double probability, double passages) {
+  constexpr double kFewHits = 2;
+  return probability * passages < kFewHits ? probability_estimate(passages, 0, 0).error : 0;
+}
+
 // Stays below the barrier in the stationary process.
 struct StationaryStays {
   // of each stream or replication; empty for too few stays
@@ -517,11 +536,16 @@ void simulate_passages_from_point(Simulation& simulation, const PassageLevel& le
                                ? estimate_from_sums(stationary.sums, hazard)
                                : ValueWithError{};
   const auto is_open = [&](double time) { return time >= stationary.horizon; };
-  // Returns the mean of f(passage time, hazard g) over all passages. The standard error contains
-  // the error of the hazard after the horizon.
-  const auto mean_of = [&](const std::function<double(double, double)>& f) -> ValueWithError {
+  const double n = static_cast<double>(streams) * per_stream;
+  const auto mean_estimate = [](double count, double sum, double square) -> ValueWithError {
+    const double value = sum / count;
+    return {value, std::sqrt(std::max(0.0, square / count - value * value) / (count - 1))};
+  };
+  // Returns the mean of f(passage time, hazard g) over all passages, by a function of their number,
+  // sum and sum of squares. The standard error contains the error of the hazard after the horizon.
+  const auto mean_of = [&](const auto& estimate,
+                           const std::function<double(double, double)>& f) -> ValueWithError {
     double sum = 0, square = 0, changed = 0;
-    const double n = static_cast<double>(streams) * per_stream;
     for (const auto& of_stream : found) {
       for (const Passage& passage : of_stream) {
         sum += f(passage.time, g.value);
@@ -529,26 +553,27 @@ void simulate_passages_from_point(Simulation& simulation, const PassageLevel& le
         changed += f(passage.time, g.value + g.error);
       }
     }
-    const double by_chance = std::sqrt(std::max(0.0, square / n - sum / n * (sum / n)) / (n - 1));
-    return {sum / n, std::hypot(by_chance, (changed - sum) / n)};
+    ValueWithError estimated = estimate(n, sum, square);
+    estimated.error = std::hypot(estimated.error, (changed - sum) / n);
+    return estimated;
   };
   for (const double t : stationary.times) {
-    result.survival_from_point.push_back(mean_of([&](double time, double hazard_rate) {
+    const auto survival = [&](double time, double hazard_rate) {
       if (t < stationary.horizon) return time > t ? 1.0 : 0.0;
       return is_open(time) ? std::exp(-hazard_rate * (t - stationary.horizon)) : 0.0;
-    }));
+    };
+    result.survival_from_point.push_back(mean_of(probability_estimate, survival));
   }
-  result.mean_from_point = mean_of([&](double time, double hazard_rate) {
+  result.mean_from_point = mean_of(mean_estimate, [&](double time, double hazard_rate) {
     return time + (is_open(time) ? 1 / hazard_rate : 0.0);
   });
   if (const auto* barriers = std::get_if<DisplacementBarriers>(&level);
       barriers != nullptr && barriers->are_two) {
     double upper = 0;
-    const double n = static_cast<double>(streams) * per_stream;
     for (const auto& of_stream : found) {
-      upper += static_cast<double>(std::ranges::count_if(of_stream, &Passage::is_upper)) / n;
+      upper += static_cast<double>(std::ranges::count_if(of_stream, &Passage::is_upper));
     }
-    result.upper_exit_from_point = {upper, std::sqrt(upper * (1 - upper) / (n - 1))};
+    result.upper_exit_from_point = probability_estimate(n, upper, upper);
   }
 }
 
@@ -633,19 +658,26 @@ transform::FirstPassageResult estimate_passage_with_plan(
   }
   passage.probability_below =
       estimate_from_sums(sums, [](const BelowBarrierSojournSums& s) { return s.below / s.whole; });
+  // With splitting the survival probabilities follow from the hazard.
+  const auto least_error = [&, passages = independent_passage_count(sums)](double probability) {
+    return is_rare ? 0 : least_error_of_probability(probability, passages);
+  };
   if (barrier.lower_level) {
-    passage.upper_exit_from_stationary = estimate_from_sums(
+    const ValueWithError upper = estimate_from_sums(
         sums, [&](const BelowBarrierSojournSums& s) { return s.length_to_upper / length(s); });
+    const double error =
+        std::max({upper.error, least_error(upper.value), least_error(1 - upper.value)});
+    passage.upper_exit_from_stationary = {upper.value, error};
   }
   passage.times = stays.times;
   for (std::size_t k = 0; k < passage.times.size(); ++k) {
     const double time = passage.times[k];
-    passage.survival_from_stationary.push_back(
-        estimate_from_sums(sums, [&](const BelowBarrierSojournSums& s) {
-          return (time > horizon ? s.longer * std::exp(-hazard(s) * (time - horizon))
-                                 : s.excess[k]) /
-                 length(s);
-        }));
+    ValueWithError survival = estimate_from_sums(sums, [&](const BelowBarrierSojournSums& s) {
+      return (time > horizon ? s.longer * std::exp(-hazard(s) * (time - horizon)) : s.excess[k]) /
+             length(s);
+    });
+    survival.error = std::max(survival.error, least_error(survival.value));
+    passage.survival_from_stationary.push_back(survival);
   }
 
   std::optional<double> lower;
@@ -681,6 +713,7 @@ transform::FirstPassageResult estimate_passage_with_plan(
 // @param doubled result with twice the interval
 void add_kick_interval_errors_of_passage(const transform::FirstPassageResult& doubled,
                                          transform::FirstPassageResult& passage) {
+  passage.has_kick_interval_errors = true;
   // A barrier is passed between kicks too, which leaves an error of first order.
   constexpr int kOrder = 1;
   const auto error_of = [](const ValueWithError& at, const ValueWithError& at_doubled) {

@@ -310,6 +310,7 @@ transform::SpectralDensity estimate_spectrum_with_plan(const problem::Problem& t
 // @param order order of the errors in the interval
 void add_kick_interval_errors_of_spectrum(const transform::SpectralDensity& doubled, int order,
                                           transform::SpectralDensity& spectrum) {
+  spectrum.has_kick_interval_errors = true;
   const auto add = [order](double value, double other, double other_error, double& error) {
     error += kick_interval_error(other - value, std::hypot(error, other_error), order);
   };

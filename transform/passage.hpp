@@ -83,10 +83,11 @@ struct FirstPassageResult {
   /// computes no survival probabilities.
   std::vector<ValueWithError> survival_from_point = {}, survival_from_stationary = {};
   std::optional<MeanPassageTimeMap> mean_passage_times_by_start =
-      {};  ///< mean times from all starts below the barrier
-  /// Whether the errors are standard errors of a simulation. Under noise the errors also contain an
-  /// estimate of the error by the interval between noise kicks.
-  bool has_standard_errors = false;
+      {};                            ///< mean times from all starts below the barrier
+  bool has_standard_errors = false;  ///< whether the errors are standard errors of a simulation
+  /// Whether the standard errors are increased by an estimate of the error that the interval
+  /// between noise kicks causes
+  bool has_kick_interval_errors = false;
   /// Whether every value is guaranteed to differ from the exact value by at most its error
   bool has_guaranteed_errors = false;
   std::string details = {};  ///< grid or simulated time, for tables

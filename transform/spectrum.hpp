@@ -42,9 +42,10 @@ struct SpectralDensity {
   /// Absolute error of the spectral density at each frequency: estimated discretisation error, or
   /// standard error
   std::vector<double> error = {};
-  /// Whether `error` contains standard errors of a simulation,
-  /// under noise plus an estimate of the error by the interval between noise kicks
-  bool has_standard_errors = false;
+  bool has_standard_errors = false;  ///< whether the errors are standard errors of a simulation
+  /// Whether the standard errors are increased by an estimate of the error that the interval
+  /// between noise kicks causes
+  bool has_kick_interval_errors = false;
   double variance = 0;  ///< variance of the variable, from the same solution
   double variance_error = 0;
   std::optional<SpectralPeak> peak = {};  ///< highest local maximum; absent without a maximum

@@ -33,7 +33,9 @@ class _MethodResult:
     status: str  #: "ok", "inaccurate", "inadmissible", "not_converged", "failed" or "not_offered"
     reason: str  #: reason for a status other than ok, in one sentence; else empty
     seconds: float  #: wall-clock time of the method
-    error_kind: str | None  #: "standard error", "discretisation error" or "guaranteed bound"; None without errors
+    #: "standard error", "standard error plus error of the kick interval", "discretisation error" or "guaranteed bound";
+    #: None without errors
+    error_kind: str | None
     record: Mapping[str, Any] = field(repr=False)  #: the JSON object of the method in the file of the command
 
 

@@ -1,12 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "general_oscillators.hpp"
 #include "mcs/estimate/stream_weights.hpp"
 #include "mcs/passage.hpp"
+#include "mcs/passage/probability_estimate.hpp"
 #include "mcs/passage/rare_passages.hpp"
 #include "mcs/sensitivities.hpp"
 #include "mcs/spectrum.hpp"
@@ -137,6 +139,7 @@ TEST(SimulatedPassage, StatesTheErrorByTheIntervalBetweenNoiseKicks) {
       tests::with_noise(System({.damping = 0.1, .stiffness = 1}, {.none = true}), 0.1 / 1.7);
   const auto relative_error = [](const problem::Problem& problem) {
     const auto passage = estimate_passage(problem, {.time = 1e5}, {.level = 1}, {10});
+    EXPECT_EQ(passage.has_kick_interval_errors, problem.noise.is_acting());
     return passage.mean_from_stationary->error / passage.mean_from_stationary->value;
   };
   // The second simulation takes half of the time. Its error and the first error give a stated error
@@ -160,6 +163,39 @@ TEST(SimulatedPassage, ChoosesTheTimesOfTheSurvivalProbabilities) {
                      given.survival_from_stationary[k].value);
     EXPECT_DOUBLE_EQ(chosen.survival_from_point[k].value, given.survival_from_point[k].value);
   }
+}
+
+// Exact coverage of the interval of two standard errors: sum over all numbers of hits
+TEST(ProbabilityEstimate, IsWithinTwoStandardErrorsOfTheProbability) {
+  constexpr int kCount = 400;
+  for (const double probability : {0.0, 0.0005, 0.002, 0.005, 0.02, 0.3, 0.5, 0.98, 0.999, 1.0}) {
+    double covered = 0;
+    for (int hits = 0; hits <= kCount; ++hits) {
+      const auto [value, error] = probability_estimate(kCount, hits, hits);
+      if (std::abs(value - probability) > 2 * error) continue;
+      covered += boost::math::pdf(boost::math::binomial(kCount, probability), hits);
+    }
+    EXPECT_GT(covered, 0.92) << probability;
+  }
+  EXPECT_NEAR(2 * probability_estimate(kCount, 0, 0).error, 3.0 / kCount, 0.3 / kCount);
+  EXPECT_NEAR(probability_estimate(kCount, 200, 200).error, 0.5 / std::sqrt(kCount), 2e-4);
+}
+
+// No passage is as short as 0.01, and no stay as long as 3000.
+TEST(SimulatedPassage, StatesErrorsOfProbabilitiesWithoutHits) {
+  const auto passage =
+      estimate_passage(tests::paper_case(1), {.time = 1e5}, {.level = 1.5}, {0.01, 3000});
+  ASSERT_EQ(passage.status, Status::ok) << passage.reason;
+  EXPECT_EQ(passage.survival_from_point[0].value, 1);
+  EXPECT_EQ(passage.survival_from_point[1].value, 0);
+  EXPECT_EQ(passage.survival_from_stationary[1].value, 0);
+  const double passages = 1e5 / passage.mean_from_stationary->value;
+  EXPECT_NEAR(passage.survival_from_stationary[1].error * passages, std::sqrt(2), 0.1);
+  EXPECT_NEAR(passage.survival_from_point[0].error, passage.survival_from_point[1].error, 1e-12);
+  EXPECT_GT(passage.survival_from_point[0].error, 1e-4);
+  EXPECT_LT(passage.survival_from_point[0].error, 5e-3);
+  EXPECT_LT(passage.survival_from_stationary[0].error, 1e-5);
+  EXPECT_FALSE(passage.has_kick_interval_errors);
 }
 
 // Values of `fpkcheck passage case1 --displacement 2 --methods characteristics --max-seconds 600`

@@ -152,6 +152,31 @@ TEST(PassageReport, HasTheKeysOfTheContract) {
   EXPECT_TRUE(one.at("survival").at(1).at("from_rest").is_null());
 }
 
+TEST(PassageReport, NamesErrorsThatContainTheErrorOfTheKickInterval) {
+  PassageStudy study{tests::paper_case(1), {}, {}};
+  study.options.displacement = "1.5";
+  study.passages = {
+      {.id = "mcs", .status = Status::ok, .hazard = transform::ValueWithError{0.1, 0.01}}};
+  const auto error_is = [&] {
+    return Json::parse(study::study_json_text(study, ""))
+        .at("cases")
+        .at(0)
+        .at("passage")
+        .at("solutions")
+        .at(0)
+        .at("error_is");
+  };
+  const auto has_standard_errors = [&] {
+    return study_table_text(study, {}).find("std err") != std::string::npos;
+  };
+  study.passages[0].has_standard_errors = true;
+  EXPECT_EQ(error_is(), "standard error");
+  EXPECT_TRUE(has_standard_errors());
+  study.passages[0].has_kick_interval_errors = true;
+  EXPECT_EQ(error_is(), "standard error plus error of the kick interval");
+  EXPECT_FALSE(has_standard_errors());
+}
+
 // The cells of the map are of unequal size, and their values differ in y and in y'.
 TEST(PassageFigure, HasAMapOfTheMeanTimes) {
   PassageStudy study{tests::paper_case(1), {}, {}};

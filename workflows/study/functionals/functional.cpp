@@ -114,7 +114,8 @@ std::string solution_status_line(const std::string& id, Status status, const std
                               : fmt::format("{}: {}: {}; ", id, transform::name(status), reason);
 }
 
-std::string error_kind_text(bool has_standard_errors) {
+std::string error_kind_text(bool has_standard_errors, bool has_kick_interval_errors) {
+  if (has_kick_interval_errors) return "standard error plus error of the kick interval";
   return has_standard_errors ? "standard error" : "discretisation error";
 }
 

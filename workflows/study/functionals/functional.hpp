@@ -124,11 +124,13 @@ std::string functional_json(const problem::Problem& problem, const std::string& 
 std::string solution_status_line(const std::string& id, transform::Status status,
                                  const std::string& reason);
 
-/// Returns the kind of the errors of a result: "standard error" or "discretisation error".
-std::string error_kind_text(bool has_standard_errors);
+/// Returns the kind of the errors of a result: "discretisation error", "standard error", or
+/// "standard error plus error of the kick interval".
+std::string error_kind_text(bool has_standard_errors, bool has_kick_interval_errors = false);
 
 /// Appends two table columns of a solution: the values with the path ID, and the errors of the
 /// values with the path ID-error.
+/// @param has_standard_errors whether the errors are standard errors and nothing else
 /// @param format format of the values
 void append_value_columns(const std::string& id, const std::string& header,
                           bool has_standard_errors, std::vector<StudyTableColumn>& columns,

@@ -308,9 +308,11 @@ std::string study_json_text(const PassageStudy& study, const std::string& comman
     one["survival"] = std::move(survival);
     if (!is_rice_approximation(p)) error["survival"] = std::move(survival_error);
     one["error"] = std::move(error);
-    one["error_is"] = is_rice_approximation(p)  ? Json()
-                      : p.has_guaranteed_errors ? Json("guaranteed bound")
-                                                : Json(error_kind_text(p.has_standard_errors));
+    one["error_is"] =
+        is_rice_approximation(p) ? Json()
+        : p.has_guaranteed_errors
+            ? Json("guaranteed bound")
+            : Json(error_kind_text(p.has_standard_errors, p.has_kick_interval_errors));
     solutions.push_back(std::move(one));
   }
   const transform::PassageBarrier barrier = parse_barrier(study.options);
@@ -382,8 +384,8 @@ std::string study_table_text(const PassageStudy& study, const report::TerminalTe
     constexpr double kSmallError = 1e-5;  // a relative error that six digits do not show
     const bool is_precise =
         !is_rice_approximation(p) && p.hazard && p.hazard->error < kSmallError * p.hazard->value;
-    append_value_columns(p.id, "value", p.has_standard_errors, columns,
-                         is_precise ? "{:.9g}" : "{:.6g}");
+    append_value_columns(p.id, "value", p.has_standard_errors && !p.has_kick_interval_errors,
+                         columns, is_precise ? "{:.9g}" : "{:.6g}");
     if (is_rice_approximation(p)) columns.pop_back();  // without errors
     std::size_t row = 0;
     const auto add = [&](const ValueWithError* value) {

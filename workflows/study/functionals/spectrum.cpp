@@ -146,7 +146,7 @@ std::string study_json_text(const SpectrumStudy& study, const std::string& comma
              {"frequency", has_spectral_density(s) ? Json(s.frequencies) : Json::array()},
              {"density", s.density},
              {"error", s.error},
-             {"error_is", error_kind_text(s.has_standard_errors)},
+             {"error_is", error_kind_text(s.has_standard_errors, s.has_kick_interval_errors)},
              {"variance", s.variance},
              {"variance_error", s.variance_error},
              {"autocovariance",
@@ -204,7 +204,8 @@ std::string study_table_text(const SpectrumStudy& study, const report::TerminalT
   for (const SpectralDensity& s : study.spectra) {
     if (!has_spectral_density(s)) continue;
     if (first == nullptr) first = &s;
-    append_value_columns(s.id, "density", s.has_standard_errors, columns);
+    append_value_columns(s.id, "density", s.has_standard_errors && !s.has_kick_interval_errors,
+                         columns);
     const std::size_t last = s.density.size() - 1, step = (last + kRows - 1) / kRows;
     for (std::size_t k = 0, row = 0; k <= last; k += step, ++row) {
       if (row == rows.size()) rows.push_back({{"w", s.frequencies[k]}});
