@@ -228,8 +228,8 @@ const base::OptionsDescription<PassageOptions>& passage_option_descriptions() {
       "largest relative error of finite volumes, characteristics and bounds, for status ok",
       "simulated time of the stationary process (default: until the standard error of the mean is "
       "1 %, at most about 10 s of computing); splitting of the same simulated time replaces a "
-      "simulation with too few passages of one barrier; passages from a point, and the error of the "
-      "interval between noise kicks, take further time",
+      "simulation with too few passages of one barrier; passages from a point take at most four "
+      "times as long again; under noise a second simulation takes half of the total time again",
       "ids of methods: fd-kf, fd-white, fd-km4, .., characteristics, bounds, mcs, mcs-white");
   return description;
 }
