@@ -95,6 +95,31 @@ examples:
   fpkcheck run case1 --set 'time.force=0.3*cos(t)' --until 6.283185307179586 --periodic
 )";
 
+// Returns the error message of the cases of a command; empty if the cases are valid.
+std::string case_error(const CommonCommandArguments& common) {
+  try {
+    load_cases(common);
+    return "";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+// Changes the arguments of a command before the case is loaded; most commands change nothing.
+template <class Options>
+void complete_arguments(const Options& /*options*/, CommonCommandArguments& /*common*/) {}
+
+// Adds walls beyond the barriers if the oscillator has a stationary density only with these walls.
+void complete_arguments(const study::PassageOptions& options, CommonCommandArguments& common) {
+  CommonCommandArguments with_walls = common;
+  for (const std::string& setting : study::walls_beyond_barriers(options)) {
+    with_walls.overrides.push_back(setting);
+  }
+  if (with_walls.overrides.size() == common.overrides.size()) return;
+  const bool has_density = case_error(common).find("no stationary density") == std::string::npos;
+  if (!has_density && case_error(with_walls).empty()) common = with_walls;
+}
+
 /// Runs the command of a functional of the generator.
 /// @param study function that computes the functional of one problem with the options
 template <class Options, class Study>
@@ -109,6 +134,7 @@ int run_functional(
   own.add(make_figure_options(report.common.figures));
   if (!report.parse_command_arguments(usage, own, out_help)) return kSuccess;
   const Options options = description.read(values, "options");
+  complete_arguments(options, report.common);
   return report.compute_and_write_report([&](const problem::Problem& problem, const auto& show) {
     return study(problem, options, show);
   });

@@ -388,6 +388,31 @@ TEST_F(Program, ADensityOverTimeWritesNetCdfAndAFigure) {
   EXPECT_EQ(program(too_small).exit_code, kFailure);
 }
 
+// x'' = xi in (-1, 1), with y = |x|: the exact mean time from 0.5 is 2.15610 (docs/functionals.md).
+TEST_F(Program, PassagesFromAStateNeedNoStationaryDensity) {
+  std::ofstream(path("exit.ini")) << "[system]\ndamping = 0\nstiffness = 0\n[noise]\n"
+                                     "intensity = 1\n[wall]\nleft = 0\nleft_restitution = 1\n";
+  const std::vector<std::string> common{"passage",        path("exit.ini"),
+                                        "--displacement", "1",
+                                        "--methods",      "fd-white",
+                                        "--accuracy",     "0.1",
+                                        "--times",        "1",
+                                        "--json"};
+  std::vector<std::string> from_state = common;
+  from_state.insert(from_state.end(), {"--start", "0.5,0"});
+  const Outcome solved = program(from_state);
+  ASSERT_EQ(solved.exit_code, 0) << solved.err;
+  const auto passage = nlohmann::json::parse(solved.out).at("cases").at(0).at("passage");
+  EXPECT_NEAR(passage.at("solutions").at(0).at("mean_from_start").get<double>(), 2.1561, 2e-3);
+  std::ofstream(path("no_wall.ini")) << "[system]\ndamping = 0\nstiffness = 0\n"
+                                        "[noise]\nintensity = 1\n";
+  from_state[1] = path("no_wall.ini");
+  EXPECT_NE(program(from_state).err.find("'system.restitution' is missing"), std::string::npos);
+  const Outcome refused = program(common);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("no stationary density"), std::string::npos) << refused.err;
+}
+
 TEST_F(Program, HelpAndVersionSucceed) {
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
                                                     {"run", "--help"},

@@ -30,6 +30,13 @@ struct PassageOptions : FunctionalCommandOptions {
 
 const base::OptionsDescription<PassageOptions>& passage_option_descriptions();
 
+/// Returns overrides "wall.KEY=VALUE" of a case that put a wall beyond each barrier of the
+/// displacement. The walls have no effect on the passage from an initial state, and may give an
+/// oscillator without a stationary density a stationary density.
+/// @return empty without an initial state, and for a barrier of the energy
+/// @throws InputError for invalid barriers
+std::vector<std::string> walls_beyond_barriers(const PassageOptions& options);
+
 struct PassageStudy {
   static constexpr const char* kFileStem = "passage";
   problem::Problem problem;

@@ -219,7 +219,9 @@ const base::OptionsDescription<PassageOptions>& passage_option_descriptions() {
                {"H", "in place of --displacement: first passage of y'^2/2 + U(y) above H"},
                base::finite_numbers())
           .add("start", &PassageOptions::start,
-               {"Y,V", "start at the displacement Y with the velocity V (default: at rest)"})
+               {"Y,V",
+                "start at the displacement Y with the velocity V (default: at rest); an oscillator "
+                "without a stationary density gets walls beyond the barriers"})
           .add(
               "times", &PassageOptions::times,
               {"LIST",
@@ -232,6 +234,26 @@ const base::OptionsDescription<PassageOptions>& passage_option_descriptions() {
       "times as long again; under noise a second simulation takes half of the total time again",
       "ids of methods: fd-kf, fd-white, fd-km4, .., characteristics, bounds, mcs, mcs-white");
   return description;
+}
+
+std::vector<std::string> walls_beyond_barriers(const PassageOptions& options) {
+  const transform::PassageBarrier barrier = parse_barrier(options);
+  if (!options.start || barrier.is_energy()) return {};
+  const auto y = parse_finite_number(split_at_commas(*options.start).front());
+  if (!y) return {};
+  // A wall close to the barrier would need short sampling intervals and narrow cells.
+  const double distance = barrier.lower_level
+                              ? barrier.level - *barrier.lower_level
+                              : std::max(std::abs(barrier.level), barrier.level - *y);
+  constexpr const char* kRestitution = "0.5";
+  std::vector<std::string> overrides{"wall.none=false",
+                                     fmt::format("wall.right={:.6g}", barrier.level + distance),
+                                     fmt::format("wall.right_restitution={}", kRestitution)};
+  if (barrier.lower_level) {
+    overrides.push_back(fmt::format("wall.left={:.6g}", *barrier.lower_level - distance));
+    overrides.push_back(fmt::format("wall.left_restitution={}", kRestitution));
+  }
+  return overrides;
 }
 
 PassageStudy study_passage(const problem::Problem& problem, const PassageOptions& options,
