@@ -225,7 +225,7 @@ transform::FirstPassageResult solve_energy_passage(
       [&](double refinement, const std::vector<double>& at) {
         return energy_passage_on_grid(below, refinement, at, deadline);
       },
-      options, std::move(times), start.has_value(), "nodes", deadline, passage);
+      options, kPassageOrder, std::move(times), start.has_value(), "nodes", deadline, passage);
   passage.seconds = stopwatch.seconds();
   return passage;
 }

@@ -318,6 +318,9 @@ transform::FirstPassageResult solve_passage(const problem::Problem& problem,
   const bool uses_differences =
       lower_level ||
       (has_noise && options.impact == problem::ImpactCondition::map && grid_reason.empty());
+  // Across the orbits that graze two barriers the mean passage time without noise jumps, and finite
+  // differences converge with the order 1.
+  const int order = lower_level && !has_noise ? 1 : kPassageOrder;
   const double shift = survival_resolvent_shift(scales);
   solve_passage_on_grids(
       [&](double refinement, const std::vector<double>& at) {
@@ -325,8 +328,8 @@ transform::FirstPassageResult solve_passage(const problem::Problem& problem,
                    ? barrier_passage_on_grid(below, refinement, at, deadline)
                    : finite_volume_passage_on_grid(below, refinement, at, shift, deadline);
       },
-      options, std::move(times), start.has_value(), uses_differences ? "nodes" : "cells", deadline,
-      passage);
+      options, order, std::move(times), start.has_value(), uses_differences ? "nodes" : "cells",
+      deadline, passage);
   passage.seconds = stopwatch.seconds();
   return passage;
 }

@@ -17,10 +17,6 @@ using transform::ValueWithError;
 // Error, as a fraction of FiniteVolumeOptions::accuracy, at which no finer grid is tried
 constexpr double kPassageTargetFraction = 0.5;
 
-// The survival probability jumps across the orbit that grazes a displacement barrier, which limits
-// the order of convergence.
-constexpr int kObservedOrder = 2;
-
 // Returns the survival probabilities at the given times, as sums over the modes of the Krylov
 // space. From rest, no passage occurs before the first impulse, which arrives at the rate
 // `waiting_rate`.
@@ -130,8 +126,8 @@ Eigen::VectorXd compute_passage_values(ReducedResolvent& model,
 }
 
 void solve_passage_on_grids(const SolvePassageOnGrid& solve_on_grid,
-                            const FiniteVolumeOptions& options, std::vector<double> times,
-                            bool has_start, const char* element_name,
+                            const FiniteVolumeOptions& options, int order,
+                            std::vector<double> times, bool has_start, const char* element_name,
                             const base::Deadline& deadline,
                             transform::FirstPassageResult& passage) {
   if (times.empty()) {
@@ -156,8 +152,7 @@ void solve_passage_on_grids(const SolvePassageOnGrid& solve_on_grid,
     return std::move(result.values_on_grid);
   };
   const FunctionalValuesFromGridSequence converged = refine_grids_until_converged(
-      evaluate, kObservedOrder, kPassageTargetFraction * options.accuracy, passage_magnitudes,
-      deadline);
+      evaluate, order, kPassageTargetFraction * options.accuracy, passage_magnitudes, deadline);
   if (converged.values.size() == 0) {
     passage.mean_passage_times_by_start.reset();
     passage.reason = converged.failure;

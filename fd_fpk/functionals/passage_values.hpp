@@ -65,6 +65,11 @@ struct PassageResultOnGrid {
   std::optional<transform::MeanPassageTimeMap> mean_passage_times_by_start = {};
 };
 
+/// Largest order of convergence for the error estimates of passages. The survival probability of
+/// one barrier without noise jumps across the orbit that grazes the barrier, which limits the order
+/// of finite volumes.
+inline constexpr int kPassageOrder = 2;
+
 /// Function that computes the values on the grid with automatic cells divided by `refinement`, with
 /// the survival probabilities at the given times.
 using SolvePassageOnGrid =
@@ -72,13 +77,14 @@ using SolvePassageOnGrid =
 
 /// Computes the values on a sequence of grids (FunctionalValuesFromGridSequence) and stores the
 /// values, the errors and the status in `passage`.
+/// @param order order of convergence for the error estimates
 /// @param times times of the survival probabilities; automatic times if empty
 /// @param has_start whether the passage has an initial state
 /// @param element_name name of the elements of a grid in FirstPassageResult::details: cells or
 /// nodes
 void solve_passage_on_grids(const SolvePassageOnGrid& solve_on_grid,
-                            const FiniteVolumeOptions& options, std::vector<double> times,
-                            bool has_start, const char* element_name,
+                            const FiniteVolumeOptions& options, int order,
+                            std::vector<double> times, bool has_start, const char* element_name,
                             const base::Deadline& deadline, transform::FirstPassageResult& passage);
 
 }  // namespace fpkcheck::fd_fpk

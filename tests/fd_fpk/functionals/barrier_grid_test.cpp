@@ -102,6 +102,37 @@ TEST(BarrierGrid, HasTheMeanTimeOfFirstReturnOfTheBall) {
   }
 }
 
+// Without excitation a ball between two barriers leaves the strip at the upper barrier from states
+// above the orbit that grazes this barrier. The mean time jumps across the orbit; the order of its
+// L1 error is therefore 1, and not that of the differences.
+TEST(BarrierGrid, ConvergesWithOrderOneWithoutNoise) {
+  const problem::Problem problem =
+      tests::with_noise(System({.damping = 0, .constant = 1, .stiffness = 0}, {.none = true}), 1);
+  constexpr double kSlowest = 2;  // largest speed of a start; faster states leave the grid in v
+  const auto l1_error = [&](int n) {
+    const BarrierGrid grid(problem, {}, {LowerEnd::barrier, 0, 1, 4}, n, 3 * n / 2);
+    const Eigen::SparseLU<SparseColumnMatrix> lu(grid.backward_system().matrix);
+    const Eigen::VectorXd times = lu.solve(Eigen::VectorXd::Constant(grid.size(), -1)),
+                          weights = grid.integration_weights();
+    double error = 0;
+    for (int i = 0; i < grid.displacement_count(); ++i) {
+      for (int j = 0; j < grid.velocity_count(); ++j) {
+        const double y = grid.displacement(i), v = grid.velocity(j);
+        if (std::abs(v) > kSlowest) continue;
+        const double above = v * v - 2 * (1 - y);  // twice the energy above the barrier
+        const double exact =
+            v > 0 && above > 0 ? v - std::sqrt(above) : v + std::sqrt(v * v + 2 * y);
+        const int node = grid.grid_node_index(i, j);
+        error += weights(node) * std::abs(times(node) - exact);
+      }
+    }
+    return error;
+  };
+  const double order = std::log(l1_error(20) / l1_error(80)) / std::log(4);
+  EXPECT_GT(order, 0.7);
+  EXPECT_LT(order, 1.4);
+}
+
 // A problem with all terms, whose wall has a restitution coefficient that depends on the speed.
 problem::Problem problem_with_all_terms() {
   std::istringstream ini(R"([system]
