@@ -183,6 +183,12 @@ void solve_passage_on_grids(const SolvePassageOnGrid& solve_on_grid,
   passage.status = Status::ok;
   if (!(error <= options.accuracy)) {
     passage.status = Status::inaccurate;
+    if (passage.hazard->error > passage.hazard->value) {
+      passage.reason = fmt::format(
+          "rare passages: the hazard {:.2g} is below its discretisation error {:.2g}; use mcs",
+          passage.hazard->value, passage.hazard->error);
+      return;
+    }
     passage.reason = fmt::format("estimated relative error {:.2g}, above the accuracy {:g}; {}",
                                  error, options.accuracy, converged.failure);
   }

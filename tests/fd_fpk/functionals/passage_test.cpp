@@ -211,6 +211,18 @@ TEST(PassageOfTwoBarriers, StatesErrorsOfOrderOneWithoutNoise) {
   EXPECT_LT(passage.hazard->error, 1e-3);
 }
 
+// The hazard of passages over 2.2 is 4e-8 (`fpkcheck passage bistable --displacement 2.2 --methods
+// mcs`), below the error of finite differences.
+TEST(Passage, StatesThatPassagesAreTooRare) {
+  const problem::Problem p =
+      tests::with_noise(problem::System({.damping = 0.2, .stiffness = -1, .cubic = 1},
+                                        problem::WallParameters{.none = true}),
+                        0.1);
+  const FirstPassageResult passage = solve_passage(p, {.max_seconds = 4}, {.level = 2.2}, {240});
+  EXPECT_EQ(passage.status, Status::inaccurate);
+  EXPECT_NE(passage.reason.find("rare passages"), std::string::npos) << passage.reason;
+}
+
 // The matrix of 240 x 360 nodes would have 3e7 elements. With an expired deadline the stationary
 // density, which the solver computes before the matrix, gives another reason.
 TEST(PassageOfTwoBarriers, RefusesALargeGridBeforeAnyComputation) {
