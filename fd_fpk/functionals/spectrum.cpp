@@ -31,9 +31,11 @@ constexpr double kFloor = 1e-3;
 constexpr double kAgreement = 1e-5;
 
 constexpr int kModes = 2;  // number of modes in the result
-// Number of the values after the spectral densities and autocovariances: the variance, and for each
-// mode decay rate, frequency and share
-constexpr Eigen::Index kFurtherValues = 1 + 3 * kModes;
+// Number of the values of the modes: for each mode decay rate, frequency and share
+constexpr Eigen::Index kModeValues = 3 * kModes;
+// Number of the values after the spectral densities and autocovariances: the variance, the values
+// of the modes, and their changes by the last vectors of the Krylov space
+constexpr Eigen::Index kFurtherValues = 1 + 2 * kModeValues;
 
 // Returns decay rate, frequency and share of the variance of the modes with the largest
 // coefficients, three values for each mode. A conjugate pair is one mode.
@@ -47,7 +49,7 @@ Eigen::VectorXd largest_modes(const ReducedResolvent::Modes& modes, double varia
     return conjugates * modes.coefficients(j).real() / variance;
   };
   std::ranges::sort(upper, std::ranges::greater{}, [&](Eigen::Index j) { return share(j); });
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(3 * kModes);
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(kModeValues);
   for (int m = 0; m < std::min(kModes, static_cast<int>(upper.size())); ++m) {
     const Eigen::Index j = upper[m];
     values.segment(3 * m, 3) << -modes.rates(j).real(), modes.rates(j).imag(), share(j);
@@ -70,8 +72,9 @@ Eigen::VectorXd autocovariance_from_modes(const ReducedResolvent::Modes& modes,
 }
 
 // Returns the densities at the frequencies, the autocovariances at the lags, the changes of the
-// autocovariances by the last vectors of the Krylov space, the variance, and the modes. The Krylov
-// space grows until the densities of two successive spaces agree.
+// autocovariances by the last vectors of the Krylov space, the variance, the modes, and the changes
+// of the modes. The Krylov space grows until the densities of two successive spaces agree; with few
+// frequencies, autocovariances and modes may then still change.
 Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
                                  const std::vector<double>& lags, transform::StateVariable variable,
                                  double shift, int order, DirectStationarySolution& direct_solution,
@@ -108,9 +111,10 @@ Eigen::VectorXd spectrum_on_grid(const std::vector<double>& frequencies,
                                     of_smaller_space =
                                         model.reduced_model_modes(functional, model.size() - kStep);
       const Eigen::VectorXd covariance = autocovariance_from_modes(modes, lags);
+      const Eigen::VectorXd largest = largest_modes(modes, variance);
       values << density, covariance,
           (covariance - autocovariance_from_modes(of_smaller_space, lags)).cwiseAbs(), variance,
-          largest_modes(modes, variance);
+          largest, (largest - largest_modes(of_smaller_space, variance)).cwiseAbs();
       return values;
     }
   }
@@ -154,7 +158,7 @@ transform::SpectralDensity solve_spectrum(const problem::Problem& problem,
     Eigen::VectorXd magnitude = values.cwiseAbs();
     // Autocovariances and modes do not determine the grid.
     magnitude.segment(n, 2 * m).setConstant(HUGE_VAL);
-    magnitude.tail(3 * kModes).setConstant(HUGE_VAL);
+    magnitude.tail(2 * kModeValues).setConstant(HUGE_VAL);
     magnitude.head(n) = magnitude.head(n).cwiseMax(kFloor * magnitude.head(n).maxCoeff());
     return magnitude;
   };
@@ -179,8 +183,11 @@ transform::SpectralDensity solve_spectrum(const problem::Problem& problem,
       converged.errors.segment(n, m) + converged.values.segment(n + m, m);
   spectrum.autocovariance.assign(covariance.begin(), covariance.end());
   spectrum.autocovariance_error.assign(covariance_errors.begin(), covariance_errors.end());
-  for (Eigen::Index j = n + 2 * m + 1; j + 2 < converged.values.size(); j += 3) {
-    const auto &v = converged.values, &e = converged.errors;
+  const Eigen::Index first_mode = n + 2 * m + 1;
+  const Eigen::VectorXd v = converged.values.segment(first_mode, kModeValues),
+                        e = converged.errors.segment(first_mode, kModeValues) +
+                            converged.values.tail(kModeValues);
+  for (Eigen::Index j = 0; j < kModeValues; j += 3) {
     spectrum.modes.push_back({.decay_rate = v(j),
                               .frequency = v(j + 1),
                               .decay_rate_error = e(j),

@@ -109,6 +109,23 @@ TEST(Spectrum, IsThatOfTheFoldedLinearOscillatorAtAnElasticWall) {
   }
 }
 
+// The density at few frequencies converges in a Krylov space that does not determine the modes. The
+// slowest modes are those of the linear oscillator with two quanta: decay rate c, frequencies 0 and
+// 2 sqrt(k - c^2/4).
+TEST(Spectrum, StatesTheErrorsOfModesAtFewFrequencies) {
+  const double c = 0.1;
+  const auto p = tests::with_noise(System({.damping = c, .stiffness = 1, .restitution = 1}), 0.2);
+  const SpectralDensity spectrum = solve_spectrum(p, kCoarse, StateVariable::y, {0, 0.75, 1.5});
+  ASSERT_EQ(spectrum.modes.size(), 2u) << spectrum.reason;
+  const double frequencies[] = {0, 2 * std::sqrt(1 - c * c / 4)};
+  for (std::size_t m = 0; m < 2; ++m) {
+    const auto& mode = spectrum.modes[m];
+    EXPECT_NEAR(mode.decay_rate, c, 2 * mode.decay_rate_error) << m;
+    EXPECT_NEAR(std::abs(mode.frequency), frequencies[m], 2 * mode.frequency_error + 1e-12) << m;
+    EXPECT_LT(mode.decay_rate_error + mode.frequency_error, 1e-3) << m;
+  }
+}
+
 // y' is the derivative of y, also with impacts, so that G_v = w^2 G_y.
 TEST(Spectrum, OfVelocityIsThatOfDisplacementTimesTheSquaredFrequency) {
   const auto p = tests::make_problem({.damping = 0.3, .restitution = 0.8});
