@@ -63,6 +63,22 @@ inline void apply_impulse(const StreamMotionParameters& motion, TrajectoryStream
   if (motion.splitting) motion.splitting->split_or_end_branch_by_energy(stream);
 }
 
+/// Returns the parameters of the Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W over a time.
+inline NoiseKickParameters noise_kick_parameters(double damping, double diffusion, double time) {
+  const double x = damping * time;
+  const double decay = simd::exponential(simd::lanewise_max(simd::lanewise_min(-x, 300.0), -300.0));
+  // The quotient (1 - exp(-2x)) / (2x) is computed by a series at small x, where the difference 1 -
+  // exp(-2x) would lose digits.
+  const double mean_decay =
+      x < 1e-3 && x > -1e-3 ? 1 - x * (1 - 2 * x / 3) : (1 - decay * decay) / (2 * x);
+  const double variance = 2 * diffusion * time * mean_decay;
+  return {.time = time,
+          .diffusion = diffusion,
+          .decay = decay,
+          .variance = variance,
+          .deviation = simd::square_root(variance)};
+}
+
 /// Applies the Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W for half of the interval before a
 /// noise kick plus half of the interval after the noise kick.
 inline void apply_noise_kick(const StreamMotionParameters& motion, TrajectoryStream& stream) {
@@ -71,16 +87,14 @@ inline void apply_noise_kick(const StreamMotionParameters& motion, TrajectoryStr
   const double diffusion = kicks.diffusion * noise_intensity_factor(motion, b);
   const double next = time_to_next_kick(motion, diffusion, b.y, b.v);
   const double time = (b.kick_interval + next) / 2;
-  const double x = kicks.damping * time;
-  const double decay = simd::exponential(simd::lanewise_max(simd::lanewise_min(-x, 300.0), -300.0));
-  // The quotient (1 - exp(-2x)) / (2x) is computed by a series at small x, where the difference 1 -
-  // exp(-2x) would lose digits.
-  const double mean_decay =
-      x < 1e-3 && x > -1e-3 ? 1 - x * (1 - 2 * x / 3) : (1 - decay * decay) / (2 * x);
-  const double variance = 2 * diffusion * time * mean_decay;
-  const double kick = simd::square_root(variance) * stream.noise.next_normal();
+  NoiseKickParameters& kick_parameters = stream.last_kick;
+  if (kick_parameters.time != time || kick_parameters.diffusion != diffusion) {
+    kick_parameters = noise_kick_parameters(kicks.damping, diffusion, time);
+  }
+  const double variance = kick_parameters.variance;
+  const double kick = kick_parameters.deviation * stream.noise.next_normal();
   const double before = b.v;
-  const double damped = decay * b.v;
+  const double damped = kick_parameters.decay * b.v;
   b.v = damped + kick;
   record_trajectory_state(motion, stream, RecordedState::Event::after_kick, variance);
   b.time_to_rest = -1;

@@ -136,6 +136,16 @@ struct RecordedState {
   double kick_variance = 0;  ///< variance of the velocity change by a noise kick
 };
 
+/// Parameters of the Ornstein-Uhlenbeck process v' = -c v + sqrt(2 D) W over a time, stored from one
+/// noise kick to the next, because most kick intervals are equal.
+struct NoiseKickParameters {
+  double time = 0;       ///< time of the process
+  double diffusion = 0;  ///< diffusion coefficient D
+  double decay = 1;      ///< factor of the velocity, exp(-c time)
+  double variance = 0;   ///< variance of the velocity change
+  double deviation = 0;  ///< standard deviation of the velocity change
+};
+
 struct TrajectoryStream {
   TrajectoryBranch branch;
   ImpulseSource source;
@@ -143,6 +153,7 @@ struct TrajectoryStream {
   /// Pending branches of the trajectory stream, with the main branch first
   std::vector<PendingTrajectoryBranch> pending_branches{};
   NoiseSource noise{0, 0};
+  NoiseKickParameters last_kick{};  ///< parameters of the last noise kick
   /// Samples of y in the order of time, if StreamMotionParameters::records_displacement_series
   std::vector<double> series{};
   /// Oscillator states in the order of time, if StreamMotionParameters::keeps_states
