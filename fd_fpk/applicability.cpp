@@ -80,6 +80,20 @@ std::string unsupported_reason(const problem::Problem& problem,
   return "";
 }
 
+std::optional<FiniteVolumeOptions> options_of_identical_equation(
+    const problem::Problem& problem, const FiniteVolumeOptions& options) {
+  if (!unsupported_reason(problem, options).empty()) return std::nullopt;
+  const auto is_elastic = [](const std::optional<problem::Wall>& wall) {
+    return !wall || (wall->has_constant_restitution() && wall->restitution == 1);
+  };
+  FiniteVolumeOptions identical = options;
+  if (!problem.impulses.is_acting()) identical.equation = DensityEquation::kf;
+  if (is_elastic(problem.system.left_wall()) && is_elastic(problem.system.right_wall())) {
+    identical.impact = ImpactCondition::map;
+  }
+  return identical;
+}
+
 std::string transient_unsupported_reason(const problem::Problem& problem,
                                          const FiniteVolumeOptions& options) {
   const auto features = problem::problem_features(problem);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "fd_fpk/options.hpp"
@@ -9,6 +10,14 @@ namespace fpkcheck::fd_fpk {
 
 /// Returns the reason why finite volumes cannot solve the problem; empty for a supported problem.
 std::string unsupported_reason(const problem::Problem& problem, const FiniteVolumeOptions& options);
+
+/// Returns the options of an equation that is identical to the equation of the given options for
+/// the problem. Without impulses all density equations are the Fokker-Planck equation, and at
+/// elastic walls the impact condition `delta` is exact. Options of identical equations become equal
+/// options, so that one solution serves for all of them. Empty if finite volumes cannot solve the
+/// problem.
+std::optional<FiniteVolumeOptions> options_of_identical_equation(
+    const problem::Problem& problem, const FiniteVolumeOptions& options);
 
 /// Returns why finite volumes cannot compute the density over time; empty for supported problems.
 std::string transient_unsupported_reason(const problem::Problem& problem,

@@ -56,7 +56,8 @@ Solver fd_solver() {
               const SolverInputContext&) {
              return fd_fpk::solve_stationary_density(problem, options).solution;
            },
-       .unsupported_reason = fd_fpk::unsupported_reason});
+       .unsupported_reason = fd_fpk::unsupported_reason,
+       .options_of_identical_equation = fd_fpk::options_of_identical_equation});
 }
 
 }  // namespace fpkcheck::methods

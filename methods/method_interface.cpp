@@ -5,6 +5,10 @@
 
 namespace fpkcheck::methods {
 
+problem::Problem to_wall_coordinates(const problem::Problem& problem) {
+  return problem::to_wall_coordinates(problem::wall_frame(problem.system), problem);
+}
+
 transform::Solution solve_in_wall_coordinates(
     const problem::Problem& problem, const SolverInputContext& context,
     const std::function<std::string(const problem::Problem&)>& unsupported_reason,

@@ -45,9 +45,17 @@ struct Method {
   /// compatible.
   /// @throws InputError if the options and the problem are incompatible
   std::function<void(const problem::Problem&)> check = {};
+  /// Optional function that returns the options of an identical equation of the solver for a
+  /// problem; empty if the solver does not support the problem. Methods of one solver with equal
+  /// options of the identical equation have equal solutions.
+  std::function<std::optional<base::Values>(const problem::Problem&)>
+      options_of_identical_equation = {};
 
   const std::string& id() const { return identity.id; }
 };
+
+/// Returns the problem in wall coordinates (problem/walls.hpp), in which the first wall is at 0.
+problem::Problem to_wall_coordinates(const problem::Problem& problem);
 
 /// Solves a problem in wall coordinates (problem/walls.hpp), in which the first wall is at 0, and
 /// returns the solution in physical coordinates. If the solver does not support the problem, the
@@ -123,6 +131,10 @@ struct SolverLibraryFunctions {
   /// Function that returns the reason why the solver does not support a problem, or an empty text.
   /// If the pointer unsupported_reason is null, the solver supports every problem.
   std::string (*unsupported_reason)(const problem::Problem&, const Options&) = nullptr;
+  /// Function for Method::options_of_identical_equation, for a problem in wall coordinates; may be
+  /// null.
+  std::optional<Options> (*options_of_identical_equation)(const problem::Problem&,
+                                                          const Options&) = nullptr;
 };
 
 /// Returns a copy of a registry entry, completed with the option descriptions, default options and
@@ -159,6 +171,15 @@ Solver registry_entry_with_solver_traits(Solver solver,
     if (traits.check != nullptr) {
       method.check = [check = traits.check, options](const problem::Problem& problem) {
         check(problem, options);
+      };
+    }
+    if (traits.options_of_identical_equation != nullptr) {
+      method.options_of_identical_equation =
+          [traits, options](const problem::Problem& problem) -> std::optional<base::Values> {
+        const auto identical =
+            traits.options_of_identical_equation(to_wall_coordinates(problem), options);
+        if (!identical) return std::nullopt;
+        return traits.description.values(*identical);
       };
     }
     return method;

@@ -46,21 +46,40 @@ class SolutionsByProblemAndMethod {
     for (const auto& problem : problems) axes_.push_back(compare::comparison_bins(problem));
     solutions_.assign(problems.size(), std::vector<std::optional<Solution>>(methods.size()));
     for (auto& missing : unsolved_) missing = methods.size();
+    for (const auto& problem : problems) solved_by_.push_back(solving_methods(problem));
+  }
+
+  // Returns whether the method solves the problem itself; false if the solution of another method
+  // is the same.
+  bool is_solved_by_itself(const MethodSolveTask& task) const {
+    return solved_by_[task.problem][task.method] == task.method;
   }
 
   void solve(const MethodSolveTask& task) {
     if (case_listener_ && base::stop_requested()) return;
     const Method& method = methods_[task.method];
     report_progress(task, 0, "");
-    const ProgressCallback progress = [this, &task](double fraction, const std::string& note) {
-      report_progress(task, std::min(fraction, 0.999), note);
-    };
-    solutions_[task.problem][task.method] =
+    ProgressCallback progress;
+    if (listener_) {
+      progress = [this, &task](double fraction, const std::string& note) {
+        report_progress(task, std::min(fraction, 0.999), note);
+      };
+    }
+    const Solution solution =
         solve_with_method(method, problems_[task.problem],
                           {axes_[task.problem], progress, &estimators_[task.problem],
                            estimators_[task.problem].unsupported_reason().empty()});
-    ++done_;
-    if (--unsolved_[task.problem] == 0) assemble_case_result(task.problem);
+    std::size_t solved = 0;
+    for (std::size_t m = 0; m < methods_.size(); ++m) {
+      if (solved_by_[task.problem][m] != task.method) continue;
+      Solution& same = solutions_[task.problem][m].emplace(solution);
+      ++solved;
+      if (m == task.method) continue;
+      same.identity = methods_[m].identity;
+      same.options = methods_[m].options;
+    }
+    done_ += solved;
+    if ((unsolved_[task.problem] -= solved) == 0) assemble_case_result(task.problem);
     report_progress(task, 1, "");
   }
 
@@ -73,6 +92,27 @@ class SolutionsByProblemAndMethod {
   }
 
  private:
+  // Returns, for each method, the index of the method whose solution of the problem serves for the
+  // method: the first method of the same solver with an identical equation, or the method itself.
+  std::vector<std::size_t> solving_methods(const problem::Problem& problem) const {
+    std::vector<std::optional<base::Values>> equations;
+    std::vector<std::size_t> solving;
+    for (std::size_t m = 0; m < methods_.size(); ++m) {
+      const Method& method = methods_[m];
+      equations.push_back(method.options_of_identical_equation
+                              ? method.options_of_identical_equation(problem)
+                              : std::nullopt);
+      const auto is_same = [&](std::size_t other) {
+        return equations[m] && methods_[other].identity.method == method.identity.method &&
+               equations[other] == equations[m];
+      };
+      std::size_t first = 0;
+      while (first < m && !is_same(first)) ++first;
+      solving.push_back(first);
+    }
+    return solving;
+  }
+
   void assemble_case_result(std::size_t p) {
     std::vector<Solution> solutions;
     for (auto& solution : solutions_[p]) solutions.push_back(std::move(*solution));
@@ -99,6 +139,8 @@ class SolutionsByProblemAndMethod {
   const CaseListener& case_listener_;
   std::vector<compare::ComparisonBins> axes_;
   std::vector<std::vector<std::optional<Solution>>> solutions_;
+  // Index of the method whose solution serves for a method, shape (problems, methods)
+  std::vector<std::vector<std::size_t>> solved_by_;
   std::vector<std::atomic<std::size_t>> unsolved_;  // number of missing solutions of each case
   std::vector<std::optional<results::CaseResult>> cases_;
   std::atomic<std::size_t> done_ = 0;
@@ -191,14 +233,16 @@ std::vector<results::CaseResult> run_cases(const std::vector<problem::Problem>& 
     const std::size_t end = std::min(begin + block, problems.size());
     for (const std::size_t m : order) {
       if (methods[m].uses_all_processors) continue;
-      for (std::size_t p = begin; p < end; ++p) single_threaded.push_back({p, m});
+      for (std::size_t p = begin; p < end; ++p) {
+        if (run.is_solved_by_itself({p, m})) single_threaded.push_back({p, m});
+      }
     }
   }
   base::parallel_for(single_threaded.size(), thread_count,
                      [&](std::size_t t) { run.solve(single_threaded[t]); });
   for (std::size_t p = 0; p < problems.size(); ++p) {
     for (std::size_t m = 0; m < methods.size(); ++m) {
-      if (methods[m].uses_all_processors) run.solve({p, m});
+      if (methods[m].uses_all_processors && run.is_solved_by_itself({p, m})) run.solve({p, m});
     }
   }
   return run.cases();

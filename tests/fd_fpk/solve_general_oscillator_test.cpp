@@ -96,6 +96,47 @@ TEST(SolveGeneralOscillator, MeetsTheExactLawsOfTheEnergyOnItsAutomaticGrids) {
   }
 }
 
+// Options of the identical equation, or empty
+std::optional<FiniteVolumeOptions> identical(const Problem& problem, DensityEquation equation,
+                                             ImpactCondition impact = ImpactCondition::map) {
+  FiniteVolumeOptions options = quick(equation);
+  options.impact = impact;
+  return options_of_identical_equation(tests::in_wall_coordinates(problem), options);
+}
+
+TEST(SolveGeneralOscillator, EquationsWithoutImpulsesAreIdentical) {
+  const problem::SystemCoefficients linear{.damping = 0.2, .stiffness = 1};
+  const auto with_wall = [&](double restitution) {
+    return System(linear, WallParameters{.left = -0.5, .left_restitution = restitution});
+  };
+  for (const double restitution : {0.7, 1.0}) {
+    const Problem p = tests::with_noise(with_wall(restitution), 0.4);
+    std::vector<double> moments;
+    for (const auto equation :
+         {DensityEquation::white, DensityEquation::km4, DensityEquation::kf}) {
+      EXPECT_EQ(identical(p, equation)->equation, DensityEquation::kf);
+      moments.push_back(solve_in_frame(p, quick(equation)).moments.v4);
+    }
+    EXPECT_NEAR(moments[1], moments[0], 1e-10 * moments[0]) << restitution;
+    EXPECT_NEAR(moments[2], moments[0], 1e-10 * moments[0]) << restitution;
+  }
+  const Problem lossy = tests::with_noise(with_wall(0.7), 0.4);
+  const Problem elastic = tests::with_noise(with_wall(1), 0.4);
+  EXPECT_EQ(identical(lossy, DensityEquation::km4, ImpactCondition::delta)->impact,
+            ImpactCondition::delta);
+  EXPECT_EQ(identical(elastic, DensityEquation::km4, ImpactCondition::delta)->impact,
+            ImpactCondition::map);
+  FiniteVolumeOptions delta = quick(DensityEquation::km4);
+  delta.impact = ImpactCondition::delta;
+  EXPECT_NEAR(solve_in_frame(elastic, delta).moments.v4,
+              solve_in_frame(elastic, quick(DensityEquation::km4)).moments.v4, 1e-10);
+  const Problem impulses = tests::with_impulses(with_wall(1), tests::gaussian_impulses(1, 0.4));
+  EXPECT_EQ(identical(impulses, DensityEquation::km4)->equation, DensityEquation::km4);
+  // The impact condition delta requires one wall.
+  const Problem no_wall = tests::with_noise(System(linear, {.none = true}), 0.4);
+  EXPECT_FALSE(identical(no_wall, DensityEquation::km4, ImpactCondition::delta));
+}
+
 // Order 7 is the automatic choice for a smooth density; an order of the options takes precedence.
 TEST(SolveGeneralOscillator, AutomaticOrderIsSevenWithoutLossesAtWalls) {
   const problem::SystemCoefficients linear{.damping = 0.2, .stiffness = 1};

@@ -10,7 +10,9 @@
 #include <thread>
 
 #include "base/input_error.hpp"
+#include "general_oscillators.hpp"
 #include "methods/builtin_solvers.hpp"
+#include "methods/registry.hpp"
 #include "paper_cases.hpp"
 
 namespace fpkcheck::methods {
@@ -62,6 +64,62 @@ TEST(RunCases, FillsTheTableOfProblemsAndMethodsInOrder) {
     for (const auto& solution : one.solutions) EXPECT_EQ(solution.reason, one.name());
   }
   EXPECT_EQ(probe.most_at_once, 2);
+}
+
+// The methods "one" and "three" have identical equations for the problem "a" only.
+TEST(RunCases, SolvesIdenticalEquationsOnce) {
+  Probe probe;
+  std::atomic<int> solved = 0;
+  const auto method = [&](const std::string& id, double equation) {
+    Method counting = probe.method(id);
+    counting.options = {{"equation", equation}};
+    counting.solve = [&solved, equation, solve = counting.solve](
+                         const problem::Problem& problem, const SolverInputContext& context) {
+      ++solved;
+      transform::Solution solution = solve(problem, context);
+      solution.seconds = equation;
+      return solution;
+    };
+    counting.options_of_identical_equation =
+        [equation](const problem::Problem& problem) -> std::optional<base::Values> {
+      if (equation == 4) return std::nullopt;
+      return base::Values{{"equation", problem.name == "a" && equation == 3 ? 1 : equation}};
+    };
+    return counting;
+  };
+  std::size_t last = 0;
+  const auto cases = run_cases(two_problems(),
+                               {method("one", 1), method("two", 2), method("three", 3),
+                                method("four", 4), method("five", 4)},
+                               2, [&](const RunProgress& at) { last = std::max(last, at.done); });
+  EXPECT_EQ(solved, 9);
+  EXPECT_EQ(last, 10u);
+  ASSERT_EQ(cases.size(), 2u);
+  for (const auto& one : cases) {
+    const bool is_shared = one.name() == "a";
+    for (const auto& solution : one.solutions) EXPECT_EQ(solution.reason, one.name());
+    const transform::Solution& third = one.solutions[2];
+    EXPECT_EQ(third.id(), "three");
+    EXPECT_EQ(third.options, (base::Values{{"equation", 3.0}}));
+    // The solution of the method "one", which states its time, serves for the method "three".
+    EXPECT_EQ(third.seconds, is_shared ? 1 : 3);
+    EXPECT_EQ(one.solutions[0].seconds, 1);
+  }
+}
+
+TEST(RunCases, SolvesTheFokkerPlanckEquationOfNoiseOnce) {
+  const auto problem = tests::with_noise(
+      problem::System({.damping = 0.5, .stiffness = 1}, problem::WallParameters{.none = true}),
+      0.4);
+  const auto methods = builtin_registry().methods_selected_by_list("fd-white,fd-km4,fd-kf", {});
+  const auto solutions = run_cases({problem}, methods, 1, {}).front().solutions;
+  ASSERT_EQ(solutions.size(), 3u);
+  EXPECT_GT(solutions[0].seconds, 0);
+  for (const auto& solution : solutions) {
+    EXPECT_TRUE(solution.has_status_ok()) << solution.reason;
+    EXPECT_EQ(solution.moments.v4, solutions[0].moments.v4);
+    EXPECT_EQ(solution.seconds, solutions[0].seconds);
+  }
 }
 
 TEST(RunCases, ReportsProgressOfEverySolution) {
