@@ -99,6 +99,12 @@ struct SimulationOptions {
   /// Checkpoint file from which the simulation resumes, with the result of an uninterrupted run,
   /// bit for bit; if empty, the simulation begins anew
   std::string resume{};
+  /// Sampling error at which a simulation of the default simulated time may end early: upper limit
+  /// of the errors that `target_error` limits. The simulation takes at least an eighth of the
+  /// default simulated time. If the default simulated time does not reach the sampling error, the
+  /// status of the solution is unaffected. Ignored with the options `time`, `samples` and
+  /// `target_error`, and in a simulation by several processes.
+  std::optional<double> sufficient_error{};
   /// Callback for the progress after every round of the simulation; simulate_stationary_density()
   /// does not catch an exception of the callback
   std::function<void(const SimulationProgress&)> progress{};

@@ -71,6 +71,15 @@ struct RunProgress {
   bool goal_reached;  ///< whether the requested number of samples and error are reached
 };
 
+/// Returns whether the simulation may end at the error SimulationOptions::sufficient_error before
+/// the end of the default simulated time.
+bool can_end_at_sufficient_error(const Simulation& simulation, const SimulationOptions& options) {
+  // Shorter simulations would save little time besides the burn-in and the other methods of a run.
+  constexpr std::uint64_t kLeastPart = 8;
+  return options.sufficient_error && !options.time && !options.samples && !options.target_error &&
+         kLeastPart * simulation.sampling_round_count() >= simulation.plan_of_simulation().rounds;
+}
+
 RunProgress current_progress(const Simulation& simulation, const SimulationOptions& options) {
   RunProgress now{.fraction = static_cast<double>(simulation.sampling_round_count()) /
                               static_cast<double>(simulation.plan_of_simulation().rounds),
@@ -82,8 +91,14 @@ RunProgress current_progress(const Simulation& simulation, const SimulationOptio
   // from which the sampling errors of the complete result cannot be computed.
   if (options.process_group.parts > 1) return now;
   // With control variates the sampling errors are known only at the end of a simulation.
-  if (options.target_error || (options.progress && !options.controlled)) {
+  const bool can_end_early = can_end_at_sufficient_error(simulation, options);
+  if (options.target_error || can_end_early || (options.progress && !options.controlled)) {
     now.errors = current_sampling_errors(simulation);
+  }
+  if (can_end_early) {
+    now.fraction =
+        std::max(now.fraction, std::pow(*options.sufficient_error / now.errors->target, 2));
+    now.goal_reached = now.errors->target <= *options.sufficient_error;
   }
   if (options.target_error) {
     now.fraction = std::max(now.fraction, std::pow(*options.target_error / now.errors->target, 2));

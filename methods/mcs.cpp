@@ -49,13 +49,14 @@ transform::Solution solve_by_simulation(const problem::Problem& problem,
   mcs::SimulationOptions axis_options = options;
   axis_options.y_edges = context.axes.y_edges;
   axis_options.v_edges = context.axes.v_edges;
-  axis_options.progress = [&](const mcs::SimulationProgress& at) {
-    if (!context.progress) return;
-    context.progress(at.fraction, at.y_l1 && at.ydot_l1
-                                      ? fmt::format("sampling L1 {:.1e} in p(y), {:.1e} in p(y')",
-                                                    *at.y_l1, *at.ydot_l1)
-                                      : std::string());
-  };
+  // Without a callback the simulation does not compute its sampling errors after every round.
+  if (context.progress)
+    axis_options.progress = [&](const mcs::SimulationProgress& at) {
+      context.progress(at.fraction, at.y_l1 && at.ydot_l1
+                                        ? fmt::format("sampling L1 {:.1e} in p(y), {:.1e} in p(y')",
+                                                      *at.y_l1, *at.ydot_l1)
+                                        : std::string());
+    };
   if (options.controlled)
     return control_variates::simulate_with_control_variates(problem, {.simulation = axis_options});
   return mcs::simulate_stationary_density(problem, axis_options).solution;

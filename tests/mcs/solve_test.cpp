@@ -242,6 +242,32 @@ TEST(Solve, RunsUntilTheRequestedSamplesOrErrorAreReached) {
   EXPECT_NEAR(too_short.summary.time, 1e4, 300);
 }
 
+TEST(Solve, EndsEarlyAtASufficientError) {
+  const auto problem = tests::paper_case(1);
+  SimulationOptions options{.tails = false, .controlled = true};
+  const auto all = simulate_stationary_density(problem, options);
+  const double reached = std::max(*all.solution.sampling->y, *all.solution.sampling->ydot);
+  options.sufficient_error = 1.6 * reached;
+  const auto early = simulate_stationary_density(problem, options);
+  EXPECT_TRUE(early.solution.has_status_ok()) << early.solution.reason;
+  EXPECT_LE(*early.solution.sampling->y, *options.sufficient_error);
+  EXPECT_LE(*early.solution.sampling->ydot, *options.sufficient_error);
+  EXPECT_NEAR(early.summary.time, all.summary.time / (1.6 * 1.6), 0.2 * all.summary.time);
+  // Even a very large error does not end the simulation before an eighth of its time.
+  options.sufficient_error = 1;
+  EXPECT_NEAR(simulate_stationary_density(problem, options).summary.time, all.summary.time / 8,
+              0.03 * all.summary.time);
+  // An error that the default time does not reach is no goal.
+  options.sufficient_error = reached / 2;
+  const auto missed = simulate_stationary_density(problem, options);
+  EXPECT_TRUE(missed.solution.has_status_ok()) << missed.solution.reason;
+  EXPECT_EQ(missed.summary.time, all.summary.time);
+  options.sufficient_error = 1;
+  options.time = all.summary.time / 2;
+  EXPECT_NEAR(simulate_stationary_density(problem, options).summary.time, *options.time,
+              0.03 * all.summary.time);
+}
+
 // The test runs the parts of three processes one after another. Each process simulates only its own
 // groups of streams.
 TEST(Solve, ProcessesThatShareTheStreamsGiveTheSameBits) {
