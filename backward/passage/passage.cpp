@@ -141,6 +141,20 @@ constexpr double kPanelRefinement = 0.3;
 // The dense matrices for this number of nodes take about 1 GB.
 constexpr double kMaxNodes = 5000;
 
+// Returns the errors of values from their changes by the last two grids. With the ratio q of the
+// changes, the changes by all further grids have the sum q / (1 - q) times the last change. The
+// factor is at least 1, since the ratio may increase, and at most that of first order.
+Eigen::VectorXd errors_from_changes(const Eigen::VectorXd& change,
+                                    const Eigen::VectorXd& previous_change) {
+  Eigen::VectorXd errors(change.size());
+  for (Eigen::Index k = 0; k < errors.size(); ++k) {
+    const double last = change(k), previous = previous_change(k);
+    const double factor = previous > last ? last / (previous - last) : kErrorFactor;
+    errors(k) = last * std::clamp(factor, 1.0, kErrorFactor);
+  }
+  return errors;
+}
+
 ValueWithError estimate_from_grids(double finer, double coarser) {
   return {finer, kErrorFactor * std::abs(finer - coarser)};
 }
@@ -151,8 +165,10 @@ ValueWithError estimate_from_grids(double finer, double coarser) {
 std::optional<StationaryCrossingsOnTwoGrids> solve_stationary_laws(
     const FirstPassageProblem& passage, double tolerance, const base::Deadline& deadline) {
   if (passage.problem.system.right_wall()) return std::nullopt;
-  // Nodes per standard deviation of the amplitude on the first grid
-  constexpr double kFirstNodes = 0.7;
+  // Nodes per standard deviation of the amplitude on the first grid. In case 1 (barrier 2) the
+  // errors of the rates on the grids with 0.95 and 1.19 nodes exceed the default tolerance, and
+  // those on the grids with 1 and 1.25 nodes do not.
+  constexpr double kFirstNodes = 1;
   // The nodes cover this fraction of the intervals of y and v in which the stationary density
   // exceeds exp(-7^2/2) times its peak. Outside the nodes, interpolated functions are constant.
   constexpr double kFraction = 0.85, kMinDeviationsBeyond = 2;
@@ -352,27 +368,33 @@ std::optional<PassageValues> PassageSolverOnGrid::solve(std::vector<double>& tim
   // Shifts of further Laplace transforms, in units of the slowest decay rate. From a stationary
   // start, and after a few times the longest relaxation time from any start, few shifts suffice. At
   // short times the inversion of Laplace transforms at real shifts is inaccurate.
-  constexpr std::array kShifts{2.0, 8.0, 0.5, 32.0, 128.0, 4.0, 16.0};
+  // One pass along all trajectories computes the operators of several shifts.
+  const std::array<std::vector<double>, 2> kShifts{{{2, 8, 0.5}, {32, 128, 4, 16}}};
+  operators.clear();  // limits the memory
   PassageValues survival = survival_probabilities(times);
   PassageValues last_change = PassageValues::Constant(survival.size(), HUGE_VAL),
                 change = last_change;
-  for (const double factor : kShifts) {
-    const double shift = factor * slowest_decay_rate_;
-    auto shifted = equation_.compute_operators({{rate_ + shift}}, deadline);
+  const auto is_converged = [&] { return change.cwiseMax(last_change).maxCoeff() <= tolerance; };
+  for (const std::vector<double>& factors : kShifts) {
+    if (is_converged()) break;
+    std::vector<TimeSinceImpulseWeight> weights;
+    for (const double factor : factors) weights.push_back({rate_ + factor * slowest_decay_rate_});
+    auto shifted = equation_.compute_operators(weights, deadline);
     if (shifted.empty()) return std::nullopt;
-    add_to_model({.node_values = factorise(shifted[0].matrix).solve(shifted[0].values_of_one),
-                  .functionals = {},
-                  .shift = shift});
-    const PassageValues next = survival_probabilities(times);
-    last_change = change;
-    change = (next - survival).cwiseAbs();
-    survival = next;
-    if (change.cwiseMax(last_change).maxCoeff() <= tolerance) break;
+    for (std::size_t k = 0; k < shifted.size() && !is_converged(); ++k) {
+      add_to_model({.node_values = factorise(shifted[k].matrix).solve(shifted[k].values_of_one),
+                    .functionals = {},
+                    .shift = weights[k].decay_rate - rate_});
+      const PassageValues next = survival_probabilities(times);
+      last_change = change;
+      change = (next - survival).cwiseAbs();
+      survival = next;
+    }
   }
   values.conservativeResize(kPassageValueCount + survival.size());
   values.tail(survival.size()) = survival;
   model_errors_ = PassageValues::Zero(values.size());
-  model_errors_.tail(survival.size()) = change.cwiseMax(last_change);
+  model_errors_.tail(survival.size()) = kErrorFactor * change.cwiseMax(last_change);
   return values;
 }
 
@@ -429,9 +451,9 @@ FirstPassageResult solve_passage(const problem::Problem& problem, PassageColloca
   // The grids are refined until the error is a fraction of the required accuracy, since the errors
   // decrease quickly, but for at most half of the time limit once the required accuracy is reached.
   // The other half is for the stationary law, whose errors decrease more slowly.
-  constexpr double kTargetFraction = 0.1, kTargetFractionOfLaw = 0.5, kTimeFraction = 0.5;
+  constexpr double kTargetFraction = 0.01, kTargetFractionOfLaw = 0.5, kTimeFraction = 0.5;
   std::optional<PassageValues> last;
-  PassageValues errors, model_errors;
+  PassageValues change, errors, model_errors;
   std::unique_ptr<PassageSolverOnGrid> last_solver, previous_solver;
   std::string limit;
   double seconds_of_last_grid = 0;
@@ -485,7 +507,12 @@ FirstPassageResult solve_passage(const problem::Problem& problem, PassageColloca
       break;
     }
     seconds_of_last_grid = grid_stopwatch.seconds();
-    if (last) errors = kErrorFactor * (*values - *last).cwiseAbs();
+    if (last) {
+      const PassageValues next_change = (*values - *last).cwiseAbs();
+      errors = change.size() == 0 ? PassageValues(kErrorFactor * next_change)
+                                  : PassageValues(errors_from_changes(next_change, change));
+      change = next_change;
+    }
     last = values;
     model_errors = solver->model_errors();
     previous_solver = std::exchange(last_solver, std::move(solver));
