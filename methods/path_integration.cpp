@@ -26,7 +26,7 @@ examples:
 transform::PlotStyle path_integration_style(const transform::SolutionIdentity& identity) {
   transform::PlotStyle plot_style = density_equation_style(identity);
   plot_style.colour = "#CC79A7";
-  plot_style.symbol = "x";
+  plot_style.symbol = "triangle-down-open";
   return plot_style;
 }
 

@@ -95,7 +95,7 @@ TEST(PlotStyle, FamiliesHaveDistinctMarkers) {
     const bool is_new = families.insert(family).second;
     EXPECT_EQ(marks.insert(plot_style.symbol).second, is_new) << id << " " << plot_style.symbol;
   }
-  EXPECT_EQ(families.size(), 9u);
+  EXPECT_EQ(families.size(), 10u);
 }
 
 TEST(PlotStyle, PairsAreDistinguishableInGreyAndInDeuteranopia) {
