@@ -66,7 +66,7 @@ numerics::Interval central_moment(const UniformLaw& law, int n) {
   return power(numerics::Interval(law.half_width), n) / static_cast<double>(n + 1);
 }
 
-// An amplitude law whose means K B after an impulse and moments have guaranteed enclosures.
+// An amplitude law with guaranteed enclosures of its moments and of E[B(v + Y)] for splines B.
 template <class Law>
 concept LawWithEnclosures = requires(const Law& law, const ImpactSplineBasis& basis) {
   central_moment(law, 0);

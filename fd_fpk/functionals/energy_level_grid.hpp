@@ -12,11 +12,12 @@
 
 namespace fpkcheck::fd_fpk {
 
-/// Finite differences of the backward equation on the states below an energy level H,
+/// Finite differences of the generator of the backward equation on the states below an energy level
+/// H, v^2/2 + U(y) < H,
 ///
-///     v T_y - f(y, v) T_v + a T_v + D T_vv + lambda (E[T(y, v + Y)] - T),   v^2/2 + U(y) < H,
+///     L T = v T_y - f(y, v) T_v + a T_v + D T_vv + lambda (E[T(y, v + Y)] - T),
 ///
-/// where T is 0 on and above the level. The interval of y has turning points of the level, or
+/// where T is 0 on and above the level, and a is the mean force of the excitation (its drift). The interval of y has turning points of the level, or
 /// walls, at its ends. The coordinates are a phase s in (0, 1) and eta = v / w(y), with the speed
 /// w = sqrt(2 (H - U)) on the level. At a turning point y depends on the square of the distance in
 /// s, and T(-s, -eta) = T(s, eta) continues T as a smooth function. The level therefore is a line

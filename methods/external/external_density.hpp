@@ -53,9 +53,8 @@ Method make_method_from_density_values(const ExternalDensity& external,
                                        const DensityQuadratureGrid& points,
                                        std::vector<double> values);
 
-/// Adds the metric notes[0] if the oscillator may be at rest in contact with a wall
-/// (problem::ProblemFeatures). The metric notes[0] states that an external density does not contain
-/// the probability of rest.
+/// If the oscillator may be at rest in contact with a wall, adds a note to the results: an external
+/// density does not contain the probability of rest.
 void add_rest_atom_note(const problem::Problem& problem, transform::SolverMetricsBuilder& builder);
 
 /// Checks the values of an external joint density.
