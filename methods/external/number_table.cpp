@@ -98,6 +98,7 @@ NumberTable read_number_table(std::istream& in, const std::string& source,
                               NumberTableContent content) {
   const bool has_samples = content == NumberTableContent::samples;
   const std::size_t min_columns = has_samples ? 1 : 2;
+  const std::string_view accepted_columns = has_samples ? "one to three" : "two or three";
   NumberTable table{source, {}, {}, {}};
   std::vector<std::string> comment;
   int line_number = 0;
@@ -146,8 +147,8 @@ NumberTable read_number_table(std::istream& in, const std::string& source,
     }
     const std::size_t columns = table.rows.empty() ? row.size() : table.column_count();
     if (columns < min_columns || columns > 3) {
-      throw_row_error(fmt::format("{} column{} (must be {} to 3)", columns, columns == 1 ? "" : "s",
-                                  min_columns));
+      throw_row_error(fmt::format("{} column{} (must be {})", columns, columns == 1 ? "" : "s",
+                                  accepted_columns));
     }
     if (row.size() != columns) {
       throw_row_error(
@@ -166,8 +167,8 @@ NumberTable read_number_table(std::istream& in, const std::string& source,
     table.lines.push_back(line_number);
   }
   if (table.rows.empty()) {
-    throw InputError(fmt::format("{}: no numbers (must be {} to 3 columns)",
-                                 base::to_printable_text(source), min_columns));
+    throw InputError(fmt::format("{}: no numbers (must be {} columns)",
+                                 base::to_printable_text(source), accepted_columns));
   }
   if (table.names.empty() && comment.size() == table.column_count())
     table.names = to_lower_case(comment);

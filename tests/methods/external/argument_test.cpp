@@ -55,8 +55,9 @@ TEST(ExternalArguments, AreRefusedIfInvalid) {
             "--against: impact = delta lacks an equation; give both");
   EXPECT_EQ(refusal_of_argument("a.csv,order=0"),
             "--against: order = '0' (must be an integer, 1 .. 99)");
-  EXPECT_EQ(refusal_of_argument("a.csv,colour=red"),
-            "--against: unknown key 'colour'; use equation, impact, order, solution or case");
+  EXPECT_EQ(
+      refusal_of_argument("a.csv,colour=red"),
+      "--against: unknown key 'colour'; use equation, impact, order, samples, role, solution or case");
 }
 
 }  // namespace
