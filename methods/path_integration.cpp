@@ -26,6 +26,9 @@ examples:
 transform::PlotStyle path_integration_style(const transform::SolutionIdentity& identity) {
   transform::PlotStyle plot_style = density_equation_style(identity);
   plot_style.colour = "#CC79A7";
+  plot_style.width = 2;
+  plot_style.layer = 1;
+  if (identity.equation == problem::DensityEquation::kf) plot_style.dash = "(10,3)";
   plot_style.symbol = "triangle-down-open";
   return plot_style;
 }

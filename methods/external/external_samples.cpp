@@ -304,22 +304,23 @@ Method make_method_from_samples(const ExternalDensity& external, std::string_vie
   require_valid_samples(samples, external.label);
   if (samples.independent == 0) samples.independent = static_cast<double>(samples.size());
   const auto shared = std::make_shared<const StateSamples>(std::move(samples));
-  return {
-      .identity = make_external_density_identity(
-          external, method, shared->is_time_series ? "given as a time series" : "given as samples"),
-      .solve =
-          [shared](const problem::Problem& problem, const SolverInputContext& context) {
-            return samples_solution(*shared, problem, context.axes);
-          },
-      .check =
-          [shared, label = external.label](const problem::Problem& problem) {
-            const problem::Walls walls = problem.system.walls();
-            for (const double y : shared->y) {
-              if (is_between_walls(walls, y)) continue;
-              throw InputError(fmt::format("samples '{}': y = {:.4g} (must be {})", label, y,
-                                           admissible_range_text(walls)));
-            }
-          }};
+  transform::SolutionIdentity identity = make_external_density_identity(
+      external, method, shared->is_time_series ? "given as a time series" : "given as samples");
+  identity.plot_style.as_points = true;
+  return {.identity = std::move(identity),
+          .solve =
+              [shared](const problem::Problem& problem, const SolverInputContext& context) {
+                return samples_solution(*shared, problem, context.axes);
+              },
+          .check =
+              [shared, label = external.label](const problem::Problem& problem) {
+                const problem::Walls walls = problem.system.walls();
+                for (const double y : shared->y) {
+                  if (is_between_walls(walls, y)) continue;
+                  throw InputError(fmt::format("samples '{}': y = {:.4g} (must be {})", label, y,
+                                               admissible_range_text(walls)));
+                }
+              }};
 }
 
 }  // namespace fpkcheck::methods

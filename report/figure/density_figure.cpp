@@ -81,7 +81,7 @@ std::string atom_and_interval_note(const DrawnDensityCurve& drawn) {
   for (const auto& atom : drawn.solution->atoms) {
     label += fmt::format(", probability {:.3g} of rest at y = {:g}", atom.probability, atom.y);
   }
-  if (!drawn.curve->lower.empty()) label += ", with 95 % intervals";
+  if (drawn.plot_style().as_points && !drawn.curve->lower.empty()) label += ", with 95 % intervals";
   return label;
 }
 
@@ -122,7 +122,7 @@ FigureSeries curve_series(const DrawnDensityCurve& drawn, DensityPanelKind kind,
     constexpr std::size_t kPointsOnACurve = 35;
     series.mark_step = std::max<std::size_t>(1, places.size() / kPointsOnACurve);
     series.dash = "";
-    series.symbol = "circle-open";
+    series.symbol = plot_style.symbol + "-open";
     series.mark_size = 0.8;
   } else if (curve_has_marks(drawn.solution->identity)) {
     series.mark_size = 1.1;
