@@ -149,7 +149,7 @@ SolutionsAssessment assess_solutions(std::span<const Solution> solutions,
   if (const Solution* reference = select_reference(solutions)) {
     const auto known = [&](StateVariable variable) {
       const double error = l1_error_estimate(*reference, variable);
-      return std::isfinite(error) ? error : kUnknownError;
+      return reference->has_status_ok() && std::isfinite(error) ? error : kUnknownError;
     };
     assessment.reference = reference->id();
     assessment.is_reference_chosen_by_user = reference->identity.role == SolutionRole::measurement;

@@ -29,8 +29,8 @@ double l1_error_estimate(const transform::Solution& solution, transform::StateVa
 double l1_error_estimate(const transform::Solution& solution);
 
 /// Returns whether a solution has a density and the status `ok`, and solves the full problem (all
-/// impulses, exact impacts). A solution of the full problem comes from finite volumes or a
-/// simulation, with the full jump integral (`kf`) and the exact impact condition.
+/// impulses, exact impacts). A solution of the full problem discretises the density equation or
+/// simulates trajectories, with the full jump integral (`kf`) and the exact impact condition.
 bool is_solution_of_full_problem(const transform::Solution& solution);
 
 enum class AgreementWithReference {

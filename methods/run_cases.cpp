@@ -195,6 +195,13 @@ Solution solve_with_method(const Method& method, const problem::Problem& problem
 
 void require_compatible_options(const std::vector<problem::Problem>& problems,
                                 const std::vector<Method>& methods) {
+  const auto references = std::ranges::count_if(methods, [](const Method& method) {
+    return method.identity.role == transform::SolutionRole::measurement;
+  });
+  if (references > 1) {
+    throw InputError(
+        fmt::format("{} densities have the role of reference; choose one", references));
+  }
   for (const auto& method : methods) {
     if (!method.check) continue;
     for (const auto& problem : problems) method.check(problem);
@@ -262,8 +269,12 @@ void complete_error_estimates(const std::vector<Method>& methods,
                               const ResidualErrorEstimator& estimator,
                               std::vector<Solution>& solutions,
                               const compare::SolutionComparison* comparison) {
-  const Solution* const reference =
-      transform::find_solution(solutions, compare::assess_solutions(solutions).reference);
+  const compare::SolutionsAssessment assessment = compare::assess_solutions(solutions);
+  // The distance from a density that the user chose as the reference is no error estimate: the
+  // density may be a measurement of another system.
+  const Solution* const reference = assessment.is_reference_chosen_by_user
+                                        ? nullptr
+                                        : transform::find_solution(solutions, assessment.reference);
   std::optional<compare::SolutionComparison> computed_comparison;
   const auto distance = [&](const Solution& solution) -> L1DistancesFromReference {
     if (reference == nullptr) return {};
@@ -304,7 +315,8 @@ void complete_error_estimates(const std::vector<Method>& methods,
         set_residual_error_estimate(estimator, HUGE_VAL, solution);
       }
     }
-    transform::require_error_estimate(solution);
+    if (solution.identity.role != transform::SolutionRole::measurement)
+      transform::require_error_estimate(solution);
   }
 }
 

@@ -64,20 +64,16 @@ MatrixXd expectation_matrix(const problem::ImpulseLaw& law, double scale,
   return from_coefficients * interpolation.coefficients_from_values();
 }
 
-// Returns the values p(v_i - shift) from the values p(v_i).
-MatrixXd shift_matrix(double shift, const SplineInterpolation& interpolation) {
-  const Eigen::Index size = interpolation.size();
-  MatrixXd matrix = MatrixXd::Zero(size, size);
-  for (Eigen::Index i = 0; i < size; ++i)
-    add_basis_values(interpolation.basis(),
-                     interpolation.points()[static_cast<std::size_t>(i)] - shift, 1, matrix, i);
-  return matrix * interpolation.coefficients_from_values();
-}
-
 // Returns exp(mean (J - 1)) = sum_k e^-mean mean^k/k! J^k: the number k of impulses has a Poisson
 // distribution.
 MatrixXd compound_poisson_matrix(const MatrixXd& jumps, double mean) {
-  constexpr double kRounding = 1e-16;
+  // exp(mean (J - 1)) is the square of exp(mean/2 (J - 1)); the factor exp(-mean) of the first term
+  // would underflow for large means.
+  constexpr double kRounding = 1e-16, kLargestMean = 16;
+  if (mean > kLargestMean) {
+    const MatrixXd root = compound_poisson_matrix(jumps, mean / 2);
+    return root * root;
+  }
   MatrixXd term = MatrixXd::Identity(jumps.rows(), jumps.cols()) * std::exp(-mean);
   MatrixXd sum = term;
   for (double k = 1, weight = std::exp(-mean); k < mean || weight > kRounding; ++k) {
@@ -127,8 +123,6 @@ MatrixXd kick_matrix(const problem::Problem& problem, problem::DensityEquation e
   if (variance > 0) {
     const problem::ImpulseLaw noise(problem::GaussianLaw{mean, std::sqrt(variance)});
     matrix = expectation_matrix(noise, 1, interpolation) * matrix;
-  } else if (mean != 0) {
-    matrix = shift_matrix(mean, interpolation) * matrix;
   }
   return matrix;
 }

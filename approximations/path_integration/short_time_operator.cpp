@@ -81,7 +81,8 @@ ShortTimeOperator::EarlierValue ShortTimeOperator::earlier_value(const EarlierSt
   // Mass from outside of the range is neglected. The comparison is false for numbers that are not
   // finite.
   const bool is_inside = state.y >= basis_y.begin() && state.y <= basis_y.end() &&
-                         state.v >= basis_v.begin() && state.v <= basis_v.end();
+                         state.v >= basis_v.begin() && state.v <= basis_v.end() &&
+                         std::isfinite(state.growth);
   if (!is_inside) return {};
   const auto in_y = basis_y.values_and_slopes(state.y), in_v = basis_v.values_and_slopes(state.v);
   EarlierValue result{in_v.first, in_y.first, in_v.value, in_y.value};
@@ -112,11 +113,11 @@ StationarySpline stationary_spline(const ShortTimeOperator& short_time_operator,
   RepeatedOperator repeated(short_time_operator, start.rows(), steps);
   // Larger Krylov spaces need fewer restarts and more time for orthogonalisation.
   constexpr int kKrylovVectors = 12, kMaxRestarts = 200;
-  constexpr double kTolerance = 1e-8;
   Spectra::GenEigsSolver<RepeatedOperator> solver(repeated, 1, kKrylovVectors);
   solver.init(start.data());
   StationarySpline result;
-  const auto count = solver.compute(Spectra::SortRule::LargestReal, kMaxRestarts, kTolerance);
+  const auto count =
+      solver.compute(Spectra::SortRule::LargestReal, kMaxRestarts, kEigenvectorTolerance);
   if (count == 0) return result;
   const Eigen::VectorXd vector = solver.eigenvectors().col(0).real();
   result.values = Eigen::Map<const MatrixXd>(vector.data(), start.rows(), start.cols());

@@ -71,6 +71,11 @@ struct StationarySpline {
   bool has_converged = false;
 };
 
+/// Largest relative residual of the eigenvector of stationary_spline(). The slow decay of the
+/// transition between two wells multiplies the residual by 1 / (1 - exp(-rate duration)) in the
+/// error of the eigenvector.
+inline constexpr double kEigenvectorTolerance = 1e-8;
+
 /// Computes the eigenvector of the short-time operator with the largest eigenvalue by Arnoldi
 /// iterations.
 /// @param start values at which the iteration starts

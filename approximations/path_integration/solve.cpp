@@ -24,6 +24,9 @@ namespace {
 using Eigen::MatrixXd;
 using transform::Status;
 
+// The time between two vectors of the Krylov space is half a period.
+constexpr double kPhaseOfRepetition = 3;
+
 // Ratio of the widths of intervals far from a wall and at a wall with losses. At the wall the
 // density jumps by the factor 1/r^2 at v = 0. The error of interpolation in the probability is of
 // the size of this jump times the area of a cell.
@@ -155,8 +158,6 @@ SplineDensity solve_on_grid(const problem::Problem& problem, problem::DensityEqu
           start(y.points()[static_cast<std::size_t>(j)], v.points()[static_cast<std::size_t>(i)]);
   }
   density.time_step = time_step;
-  // The time between two vectors of the Krylov space is half a period.
-  constexpr double kPhaseOfRepetition = 3;
   // Phase of a Runge-Kutta step, smaller where steps cross kinks of the force
   const double motion_phase = has_kinks(problem, range) ? 0.01 : 0.05;
   const auto solve = [&](double step) {
@@ -311,7 +312,11 @@ transform::Solution solve_by_path_integration(const problem::Problem& problem,
         continue;
       }
       // Interpolation creates probability at the growth rate, which spreads in the decay time.
-      const double defect = std::abs(density->growth_rate) / scales.slowest_decay_rate;
+      // The residual of the eigenvector leaves an error in the masses of wells.
+      const double decay_per_repetition =
+          -std::expm1(-scales.slowest_decay_rate * kPhaseOfRepetition / scales.frequency);
+      const double defect = std::abs(density->growth_rate) / scales.slowest_decay_rate +
+                            kEigenvectorTolerance / decay_per_repetition;
       // The splitting is of the order 2, and 4 after the extrapolation. At walls with losses the
       // density jumps, and at kinks of the force its slope jumps: the observed order is 1 to 2.
       const bool is_smooth =
@@ -339,7 +344,8 @@ transform::Solution solve_by_path_integration(const problem::Problem& problem,
 
 std::string unsupported_reason(const problem::Problem& problem,
                                const PathIntegrationOptions& options) {
-  if (problem::problem_features(problem).rests_in_contact) {
+  const problem::ProblemFeatures features = problem::problem_features(problem);
+  if (features.rests_in_contact && options.equation == problem::DensityEquation::kf) {
     return "the mass comes to rest at a wall: path integration has no atom; use fd or mcs";
   }
   if (problem.system.has_force_jumps_in_v()) {

@@ -143,12 +143,15 @@ constexpr double kMaxNodes = 5000;
 
 // Returns the errors of values from their changes by the last two grids. With the ratio q of the
 // changes, the changes by all further grids have the sum q / (1 - q) times the last change. The
-// factor is at least 1, since the ratio may increase, and at most that of first order.
+// factor is at least 1, since the ratio may increase, and at most that of first order. A change of
+// sign makes a single change small by chance; the last change counts as at least a thirtieth of the
+// change before, less than the ratio of any value in the table of docs/functionals.md.
 Eigen::VectorXd errors_from_changes(const Eigen::VectorXd& change,
                                     const Eigen::VectorXd& previous_change) {
   Eigen::VectorXd errors(change.size());
   for (Eigen::Index k = 0; k < errors.size(); ++k) {
-    const double last = change(k), previous = previous_change(k);
+    constexpr double kLeastRatio = 1.0 / 30;
+    const double previous = previous_change(k), last = std::max(change(k), kLeastRatio * previous);
     const double factor = previous > last ? last / (previous - last) : kErrorFactor;
     errors(k) = last * std::clamp(factor, 1.0, kErrorFactor);
   }

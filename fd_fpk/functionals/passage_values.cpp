@@ -185,8 +185,9 @@ void solve_passage_on_grids(const SolvePassageOnGrid& solve_on_grid,
     passage.status = Status::inaccurate;
     if (passage.hazard->error > passage.hazard->value) {
       passage.reason = fmt::format(
-          "rare passages: the hazard {:.2g} is below its discretisation error {:.2g}; use mcs",
-          passage.hazard->value, passage.hazard->error);
+          "rare passages: the hazard {:.2g} is below its discretisation error {:.2g}; use mcs{}{}",
+          passage.hazard->value, passage.hazard->error, converged.failure.empty() ? "" : "; ",
+          converged.failure);
       return;
     }
     passage.reason = fmt::format("estimated relative error {:.2g}, above the accuracy {:g}; {}",

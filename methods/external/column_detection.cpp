@@ -58,17 +58,21 @@ double relative_gap(const std::vector<double>& bin, const std::vector<double>& n
   return std::abs(next[0] / 2 - bin[1] / 2) / std::min(half_width(bin), half_width(next));
 }
 
+// Printed times are rounded, and their steps are unequal. A step that differs from the mean step by
+// half of it shows a gap in the record.
 void require_equidistant_times(const NumberTable& table, std::size_t column) {
-  constexpr double kTolerance = 0.01;
-  if (table.rows.size() < 2) return;
-  const double interval = table.rows[1][column] - table.rows[0][column];
-  for (std::size_t k = 1; k < table.rows.size(); ++k) {
-    const double step = table.rows[k][column] - table.rows[k - 1][column];
-    if (interval > 0 && std::abs(step - interval) <= kTolerance * interval) continue;
-    table.throw_row_error(
-        k, fmt::format("the time advances by {:.6g} after steps of {:.6g} (must be equidistant and "
-                       "increasing); resample the record",
-                       step, interval));
+  constexpr double kTolerance = 0.5;
+  const auto time = [&](std::size_t k) { return table.rows[k][column]; };
+  const std::size_t last = table.rows.size() - 1;
+  const double mean_step =
+      (time(last) - time(0)) / static_cast<double>(std::max<std::size_t>(last, 1));
+  for (std::size_t k = 1; k <= last; ++k) {
+    const double step = time(k) - time(k - 1);
+    if (mean_step > 0 && std::abs(step - mean_step) <= kTolerance * mean_step) continue;
+    table.throw_row_error(k,
+                          fmt::format("the time advances by {:.6g}, on average by {:.6g} (must be "
+                                      "equidistant and increasing); resample the record",
+                                      step, mean_step));
   }
 }
 

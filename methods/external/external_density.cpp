@@ -123,6 +123,11 @@ transform::SolutionIdentity make_external_density_identity(const ExternalDensity
                                        .family = std::string(method),
                                        .trust = static_cast<int>(external.index),
                                        .plot_style = external_density_style(external.index)};
+  if (external.is_reference && external.equation) {
+    throw InputError(fmt::format(
+        "'{}': a reference approximates no equation; omit the equation or the role of reference",
+        external.label));
+  }
   if (external.is_reference) {
     identity.role = transform::SolutionRole::measurement;
     identity.meaning = fmt::format("The reference: an external density, {}.", origin);

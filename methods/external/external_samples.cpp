@@ -121,27 +121,58 @@ struct BlockDivision {
   bool is_reliable;
 };
 
-// The block length is the longest one of y, y^2 and y'^2: the squares decorrelate with the energy,
-// which is the slowest variable of a lightly damped oscillator. The velocity itself is the
-// derivative of y and has no slow part. More than kMaxBlocks blocks only cost time: the standard
-// errors of kMaxBlocks blocks are known to 1 / sqrt(2 kMaxBlocks).
+double mean_square(const std::vector<double>& values) {
+  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0) /
+         static_cast<double>(values.size());
+}
+
+// The sequences whose correlations determine the block length: y, y^2, and the energy of the linear
+// oscillator with the same mean squares, which decays most slowly under light damping. The velocity
+// itself is the derivative of y and has no slow part.
+std::vector<std::vector<double>> slow_sequences(const StateSamples& samples) {
+  std::vector<double> squares, energies;
+  for (const double y : samples.y) squares.push_back(y * y);
+  if (samples.v.empty()) return {samples.y, squares};
+  const double y2 = mean_square(samples.y), v2 = mean_square(samples.v);
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    energies.push_back(squares[k] / y2 + samples.v[k] * samples.v[k] / v2);
+  }
+  return {samples.y, squares, energies};
+}
+
+// Returns the smallest number of samples after which the autocorrelation of y is at most 0.9.
+std::size_t decorrelation_stride(const std::vector<double>& y) {
+  constexpr double kAutocorrelation = 0.9;
+  const double mean = std::accumulate(y.begin(), y.end(), 0.0) / static_cast<double>(y.size());
+  const double variance = mean_square(y) - mean * mean;
+  std::size_t stride = 1;
+  for (; 10 * stride < y.size(); ++stride) {
+    double sum = 0;
+    for (std::size_t k = 0; k + stride < y.size(); ++k)
+      sum += (y[k] - mean) * (y[k + stride] - mean);
+    if (sum <= kAutocorrelation * variance * static_cast<double>(y.size() - stride)) break;
+  }
+  return stride;
+}
+
+// The block length is the longest one of the slow sequences. It is computed from a thinned record:
+// the autocovariance of an oscillating sequence vanishes at each quarter period, and with many
+// samples per period the rule for the block length would take this for the end of the correlations.
+// More than kMaxBlocks blocks only cost time: the standard errors of kMaxBlocks blocks are known to
+// 1 / sqrt(2 kMaxBlocks).
 BlockDivision divide_into_blocks(const StateSamples& samples) {
-  constexpr std::size_t kMaxBlocks = 4096, kMinBlocks = 20, kFewestBlocks = 10;
-  const auto squares = [](const std::vector<double>& values) {
-    std::vector<double> result;
-    for (const double value : values) result.push_back(value * value);
-    return result;
-  };
-  std::vector<std::vector<double>> sequences{samples.y, squares(samples.y)};
-  if (!samples.v.empty()) sequences.push_back(squares(samples.v));
+  constexpr std::size_t kMaxBlocks = 4096, kMinReliableBlocks = 20, kFewestBlocks = 10;
+  const std::size_t stride = decorrelation_stride(samples.y);
   double longest = 1;
-  for (const auto& sequence : sequences) {
-    const auto length = numerics::bootstrap_block_length(sequence);
+  for (const auto& sequence : slow_sequences(samples)) {
+    std::vector<double> thinned;
+    for (std::size_t k = 0; k < sequence.size(); k += stride) thinned.push_back(sequence[k]);
+    const auto length = numerics::bootstrap_block_length(thinned);
     if (!length) return {kFewestBlocks, false};
-    longest = std::max(longest, *length);
+    longest = std::max(longest, *length * static_cast<double>(stride));
   }
   const auto blocks = static_cast<std::size_t>(static_cast<double>(samples.size()) / longest);
-  return {std::clamp(blocks, kFewestBlocks, kMaxBlocks), blocks >= kMinBlocks};
+  return {std::clamp(blocks, kFewestBlocks, kMaxBlocks), blocks >= kMinReliableBlocks};
 }
 
 // Returns the value that the given fraction of the replicates of one quantity does not exceed.

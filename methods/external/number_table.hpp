@@ -43,7 +43,7 @@ NumberTable read_number_table(std::istream& in, const std::string& source,
 /// Returns the samples of a table with the columns y; y, y'; or t, y, y', in any order if the
 /// columns have names.
 /// @throws InputError if no column has the name of a displacement, a name is unknown, or the times
-/// are not equidistant within 1 % of their interval
+/// are not equidistant within half of their mean interval
 StateSamples samples_from_table(const NumberTable& table);
 
 /// The quantity in the third column of a histogram.

@@ -94,8 +94,7 @@ std::vector<std::vector<const SolutionAgreementOverCases*>> closure_families(
 
 // The paper's closure has the impact condition to first order in 1-r.
 bool is_paper_closure(const SolutionAgreementOverCases& row) {
-  return differs_by_order_in_family(row) && !transform::is_external(*row.identity) &&
-         row.identity->impact == problem::ImpactCondition::delta;
+  return row.identity->method == "epc" && row.identity->impact == problem::ImpactCondition::delta;
 }
 
 bool is_reference_chosen_by_user(const SolutionAgreementOverCases& row) {

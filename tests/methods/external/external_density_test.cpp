@@ -215,6 +215,35 @@ TEST_F(ExternalDensities, TimeSeriesEstimateTheirSamplingError) {
   EXPECT_NEAR(squared_moment_errors, 1.1, 3 * std::sqrt(2.0 / kSeries));
 }
 
+// z_{k+1} = exp(-(c/2 + i w) dt) z_k + .. with 630 samples per period: y = |Re z| has the mean square
+// 1, and the squares decorrelate in the time 1/c of 1000 samples. The autocovariance of y vanishes
+// at each quarter period. Blocks of a quarter period would understate the errors by a factor of 2.
+TEST_F(ExternalDensities, TimeSeriesOfAnOscillationHaveBlocksLongerThanItsDecay) {
+  constexpr int kSeries = 10, kSamples = 100'000;
+  constexpr double kStep = 0.01, kDamping = 0.1, kFrequency = 1;
+  std::mt19937_64 engine(7);
+  std::normal_distribution<double> normal;
+  const double decay = std::exp(-kDamping / 2 * kStep);
+  const double cosine = decay * std::cos(kFrequency * kStep),
+               sine = decay * std::sin(kFrequency * kStep), noise = std::sqrt(1 - decay * decay);
+  double squared_moment_errors = 0;
+  for (int series = 0; series < kSeries; ++series) {
+    double x = normal(engine), z = normal(engine);
+    StateSamples samples{.y = {}, .v = {}, .is_time_series = true};
+    for (int k = 0; k < kSamples; ++k) {
+      samples.y.push_back(std::abs(x));
+      samples.v.push_back(x < 0 ? -z : z);
+      const double previous = x;
+      x = cosine * x + sine * z + noise * normal(engine);
+      z = cosine * z - sine * previous + noise * normal(engine);
+    }
+    const auto solution = solved(of_samples({.label = "a"}, std::move(samples)));
+    squared_moment_errors +=
+        std::pow((solution.moments.y2 - 1) / solution.standard_errors->moments.y2, 2) / kSeries;
+  }
+  EXPECT_NEAR(squared_moment_errors, 1.2, 3 * std::sqrt(2.0 / kSeries));
+}
+
 TEST_F(ExternalDensities, TimeSeriesShorterThanTheirCorrelationsAreInaccurate) {
   std::mt19937_64 engine(5);
   std::vector<double> y = autoregressive_sequence(0.99, 500, engine);
