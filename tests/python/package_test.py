@@ -358,7 +358,11 @@ class ExternalDensities(unittest.TestCase):
         own = run.marginals.sel(solution="drawn")
         within = ((own.p_y_lower <= inside) & (inside <= own.p_y_upper))[:50]
         self.assertGreater(float(within.mean()), 0.85)
-        for samples, expected in ((np.zeros((5, 2)), "must be at least 100"), (np.zeros(300), "shape (300,)"),
+        series = fpk.Samples(np.abs(np.random.default_rng(3).normal(size=500)), series=True, reference=True)
+        displacement_alone = fpk.solve(self.problem, "fd-white", against={"lab": series})
+        self.assertIn("Reference: lab", str(displacement_alone))
+        self.assertTrue(math.isnan(displacement_alone.solutions["lab"].moments["v2"]))
+        for samples, expected in ((np.zeros((5, 2)), "must be at least 100"), (np.zeros((300, 3)), "shape (300, 3)"),
                                   (-np.ones((200, 2)), "y >= 0"), (np.full((200, 2), np.nan), "finite")):
             self.assertIn(expected, error_message(fpk.solve, self.problem, "fd-white", against={"own": samples}))
 
