@@ -72,11 +72,11 @@ class SolutionsByProblemAndMethod {
     std::size_t solved = 0;
     for (std::size_t m = 0; m < methods_.size(); ++m) {
       if (solved_by_[task.problem][m] != task.method) continue;
-      Solution& same = solutions_[task.problem][m].emplace(solution);
+      Solution& copy = solutions_[task.problem][m].emplace(solution);
       ++solved;
       if (m == task.method) continue;
-      same.identity = methods_[m].identity;
-      same.options = methods_[m].options;
+      copy.identity = methods_[m].identity;
+      copy.options = methods_[m].options;
     }
     done_ += solved;
     if ((unsolved_[task.problem] -= solved) == 0) assemble_case_result(task.problem);
@@ -92,8 +92,8 @@ class SolutionsByProblemAndMethod {
   }
 
  private:
-  // Returns, for each method, the index of the method whose solution of the problem serves for the
-  // method: the first method of the same solver with an identical equation, or the method itself.
+  // Returns, for each method, the index of the method whose solution the method copies: the first
+  // method of the same solver with an identical equation, or the method itself.
   std::vector<std::size_t> solving_methods(const problem::Problem& problem) const {
     std::vector<std::optional<base::Values>> equations;
     std::vector<std::size_t> solving;

@@ -8,9 +8,7 @@
 
 #include "approximations/cumulant/bivariate_polynomial.hpp"
 #include "approximations/cumulant/gram_charlier.hpp"
-#include "numerics/linear_algebra/factorisations.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
-#include "numerics/roots/newton.hpp"
 #include "numerics/statistics.hpp"
 
 namespace fpkcheck::cumulant {
@@ -222,37 +220,6 @@ VectorXd MomentEquations::residuals_at(const VectorXd& unknowns) const {
     residuals[k] /= q * std::sqrt(absolute_normal_moment(2 * p) * absolute_normal_moment(2 * q));
   }
   return residuals;
-}
-
-MatrixXd MomentEquations::jacobian_at(const VectorXd& unknowns) const {
-  // Cube root of the rounding unit: truncation and rounding errors of the difference are then equal
-  constexpr double kDifference = 6e-6;
-  const Index n = unknowns.size();
-  MatrixXd jacobian(n, n);
-  for (Index k = 0; k < n; ++k) {
-    const VectorXd change = kDifference * VectorXd::Unit(n, k);
-    jacobian.col(k) =
-        (residuals_at(unknowns + change) - residuals_at(unknowns - change)) / (2 * kDifference);
-  }
-  return jacobian;
-}
-
-MomentEquations::Iterate MomentEquations::at(const VectorXd& unknowns) const {
-  Iterate iterate{.a = unknowns, .size = 0, .residuals = residuals_at(unknowns)};
-  iterate.size = iterate.residuals.norm();
-  return iterate;
-}
-
-MomentEquations::NewtonStep MomentEquations::step(const Iterate& iterate) const {
-  return {.change = -numerics::LuFactors(jacobian_at(iterate.a)).solve(iterate.residuals)};
-}
-
-double MomentEquations::step_fraction(const Iterate& iterate, const NewtonStep& step) const {
-  constexpr double kLongestStep = 1, kShortestFraction = 1e-3;
-  const double first = std::min(1.0, kLongestStep / step.change.norm());
-  return numerics::halve_step_until_accepted(first, kShortestFraction, [&](double fraction) {
-    return residuals_at(iterate.a + fraction * step.change).norm() < iterate.size;
-  });
 }
 
 }  // namespace fpkcheck::cumulant

@@ -70,21 +70,6 @@ class MomentEquations {
   Cumulants cumulants_of(const Eigen::VectorXd& unknowns) const;
 
   Eigen::VectorXd residuals_at(const Eigen::VectorXd& unknowns) const;
-  /// Returns the Jacobian by central differences.
-  Eigen::MatrixXd jacobian_at(const Eigen::VectorXd& unknowns) const;
-
-  struct Iterate {
-    Eigen::VectorXd a;  ///< unknowns
-    double size;        ///< norm of the residuals
-    Eigen::VectorXd residuals;
-  };
-  struct NewtonStep {
-    Eigen::VectorXd change;
-  };
-  Iterate at(const Eigen::VectorXd& unknowns) const;
-  NewtonStep step(const Iterate& iterate) const;
-  /// Returns the largest of the fractions 1, 1/2, 1/4, .. for which the residuals decrease.
-  double step_fraction(const Iterate& iterate, const NewtonStep& step) const;
 
  private:
   using Exponents = std::pair<int, int>;  // p and q of y^p v^q

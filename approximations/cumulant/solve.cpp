@@ -11,7 +11,7 @@
 #include "approximations/cumulant/moment_equations.hpp"
 #include "base/process/stopwatch.hpp"
 #include "numerics/roots/continuation.hpp"
-#include "numerics/roots/newton.hpp"
+#include "numerics/roots/difference_jacobian.hpp"
 #include "numerics/statistics.hpp"
 #include "problem/motion_scales.hpp"
 #include "transform/smooth_density_results.hpp"
@@ -76,16 +76,17 @@ std::string_view termination_text(numerics::ContinuationTermination end) {
   return end == limit_exceeded ? "reaches the limit of steps" : "ends";
 }
 
-RootSearch find_root(const MomentEquations& equations, const VectorXd& start, int order) {
+RootSearch find_root(const MomentEquations& moment_equations, const VectorXd& start, int order) {
+  const auto residuals_at = [&](const VectorXd& a) { return moment_equations.residuals_at(a); };
+  const numerics::EquationsWithDifferenceJacobian equations(residuals_at);
   const numerics::NewtonOptions newton_options{};
   RootSearch search;
   auto newton = numerics::solve_by_newton(equations, start, newton_options);
   search.newton_steps = newton.iterations;
   if (!newton.converged) {
     const auto curve = numerics::trace_solution_curve(
-        numerics::newton_homotopy([&](const VectorXd& a) { return equations.residuals_at(a); },
-                                  [&](const VectorXd& a) { return equations.jacobian_at(a); },
-                                  start),
+        numerics::newton_homotopy(
+            residuals_at, [&](const VectorXd& a) { return equations.jacobian_at(a); }, start),
         start, {});
     search.newton_steps += curve.iterations;
     search.by_continuation = true;

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "numerics/linear_algebra/factorisations.hpp"
 #include "numerics/quadrature/gauss_rule.hpp"
-#include "numerics/roots/newton.hpp"
 #include "numerics/statistics.hpp"
 #include "problem/balances.hpp"
 
@@ -106,33 +104,6 @@ Eigen::VectorXd MomentEquations::residuals_at(const Eigen::VectorXd& unknowns) c
   residuals[1] = 2 * power / total_excitation_intensity(problem_);
   if (!has_wall_) residuals[2] = drift * initial_density_.displacement_deviation / v2;
   return residuals;
-}
-
-MomentEquations::Iterate MomentEquations::at(const Eigen::VectorXd& unknowns) const {
-  Iterate iterate{.a = unknowns, .size = 0, .residuals = residuals_at(unknowns)};
-  iterate.size = iterate.residuals.norm();
-  return iterate;
-}
-
-MomentEquations::NewtonStep MomentEquations::step(const Iterate& iterate) const {
-  // Cube root of the rounding unit: truncation and rounding errors of the difference are then equal
-  constexpr double kDifference = 6e-6;
-  const Eigen::Index n = iterate.a.size();
-  Eigen::MatrixXd jacobian(n, n);
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const Eigen::VectorXd change = kDifference * Eigen::VectorXd::Unit(n, k);
-    jacobian.col(k) =
-        (residuals_at(iterate.a + change) - residuals_at(iterate.a - change)) / (2 * kDifference);
-  }
-  return {.change = -numerics::LuFactors(jacobian).solve(iterate.residuals)};
-}
-
-double MomentEquations::step_fraction(const Iterate& iterate, const NewtonStep& step) const {
-  constexpr double kLongestStep = 1, kShortestFraction = 1e-3;
-  const double first = std::min(1.0, kLongestStep / step.change.norm());
-  return numerics::halve_step_until_accepted(first, kShortestFraction, [&](double fraction) {
-    return residuals_at(iterate.a + fraction * step.change).norm() < iterate.size;
-  });
 }
 
 }  // namespace fpkcheck::linearisation

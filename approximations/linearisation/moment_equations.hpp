@@ -43,23 +43,9 @@ class MomentEquations {
   Eigen::VectorXd unknowns_of(const GaussianDensity& density) const;
   GaussianDensity density_of(const Eigen::VectorXd& unknowns) const;
 
-  struct Iterate {
-    Eigen::VectorXd a;  ///< unknowns
-    double size;        ///< norm of the residuals
-    Eigen::VectorXd residuals;
-  };
-  struct NewtonStep {
-    Eigen::VectorXd change;
-  };
-  Iterate at(const Eigen::VectorXd& unknowns) const;
-  /// Returns the Newton step with a Jacobian of central differences.
-  NewtonStep step(const Iterate& iterate) const;
-  /// Returns the largest of the fractions 1, 1/2, 1/4, .. for which the residuals decrease.
-  double step_fraction(const Iterate& iterate, const NewtonStep& step) const;
-
- private:
   Eigen::VectorXd residuals_at(const Eigen::VectorXd& unknowns) const;
 
+ private:
   const problem::Problem& problem_;
   problem::ImpactCondition impact_;
   bool has_wall_;

@@ -7,7 +7,7 @@
 
 #include "approximations/linearisation/moment_equations.hpp"
 #include "base/process/stopwatch.hpp"
-#include "numerics/roots/newton.hpp"
+#include "numerics/roots/difference_jacobian.hpp"
 #include "problem/motion_scales.hpp"
 #include "transform/smooth_density_results.hpp"
 
@@ -44,7 +44,10 @@ transform::Solution solve_moment_equations(const problem::Problem& problem,
                                          : scales.displacement_deviation,
       .velocity_deviation = scales.velocity_deviation};
   const MomentEquations equations(problem, options.impact, start);
-  const auto root = numerics::solve_by_newton(equations, equations.unknowns_of(start), {});
+  const auto root = numerics::solve_by_newton(
+      numerics::EquationsWithDifferenceJacobian(
+          [&](const Eigen::VectorXd& unknowns) { return equations.residuals_at(unknowns); }),
+      equations.unknowns_of(start), {});
 
   transform::Solution solution{.identity = solution_identity(options)};
   if (root.converged) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "numerics/roots/difference_jacobian.hpp"
+
 namespace fpkcheck::numerics {
 namespace {
 
@@ -73,6 +75,22 @@ TEST(Backtrack, ReturnsTheFirstAcceptedFraction) {
       0.25);
   EXPECT_EQ(halve_step_until_accepted(0.7, 1e-3, [](double) { return true; }), 0.7);
   EXPECT_EQ(halve_step_until_accepted(1, 1e-3, [](double) { return false; }), 0);
+}
+
+// R(a) = (exp(a0) - a1, a0 a1 - 1) with the Jacobian ((exp(a0), -1), (a1, a0)); at the root a1 is
+// 1/a0 and a0 is the omega constant, 0.5671432904097838.
+TEST(EquationsWithDifferenceJacobian, HaveTheExactJacobianAndRoot) {
+  const EquationsWithDifferenceJacobian equations([](const Eigen::VectorXd& a) -> Eigen::VectorXd {
+    return Eigen::Vector2d(std::exp(a(0)) - a(1), a(0) * a(1) - 1);
+  });
+  const Eigen::Vector2d at(0.3, 0.7);
+  Eigen::Matrix2d exact;
+  exact << std::exp(0.3), -1, 0.7, 0.3;
+  EXPECT_LT((equations.jacobian_at(at) - exact).cwiseAbs().maxCoeff(), 1e-9);
+  const NewtonResult result = solve_by_newton(equations, at, {});
+  EXPECT_TRUE(result.converged);
+  EXPECT_NEAR(result.a(0), 0.5671432904097838, 1e-12);
+  EXPECT_NEAR(result.a(1), 1 / 0.5671432904097838, 1e-12);
 }
 
 }  // namespace
